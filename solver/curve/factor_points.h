@@ -27,8 +27,8 @@ std::vector<BivariatePolynomial> coprime_factors(const std::vector<BivariatePoly
 /// In [0,1], ascending in v. Requires that no two factors have a zero in common over u, and that none is 0
 /// there.
 std::vector<FactorRoot> roots_over(const std::vector<BivariatePolynomial>& factors, const Rational& u);
-/// In [0,1], ascending in v, each once. Factors have v in the place of r; none is 0 over u, else
-/// std::domain_error.
+/// In [0,1], ascending in v, each once, with disjoint intervals. Factors have v in the place of r; none is 0
+/// over u, else std::domain_error.
 std::vector<FactorPoint> points_over(const std::vector<BivariatePolynomial>& factors, const RealAlgebraic& u);
 
 /// v is no zero of a factor while u is in the closed interval; false may be wrong.

@@ -7,6 +7,7 @@
 
 #include "algebra/random_numbers.h"
 #include "curve/plane_curve.h"
+#include "curve/region_outline.h"
 #include "support/catch.h"
 
 namespace exsect::factor_points_test {
@@ -99,6 +100,27 @@ TEST_CASE("factor points: the graph of the product") {
       }
     }
   }
+}
+
+TEST_CASE("factor points: a region with an oblique corner between other points of its bounds") {
+  // Between the hyperbolas, u = 1 and v = 1. Isolating intervals of points of two factors may overlap.
+  const BivariatePolynomial a = u * v * v - v + number(Rational(1, 5));
+  const BivariatePolynomial b = u * (v - number(Rational(3, 4))) - number(Rational(1, 16));
+  const BivariatePolynomial c = u * v - number(Rational(1, 4));
+  for (const std::vector<BivariatePolynomial>& bounds :
+       {std::vector{a, b, c}, std::vector{c, b, a}, exchanged({a, b, c})}) {
+    CurveRegion region;
+    region.bounds = bounds;
+    region.clauses = {{0}, {1}, {2}};
+    const RegionOutline found = outline(region);
+    REQUIRE(found.parts.size() == 1);
+    CHECK(found.parts[0].chains.size() == 1);
+    CHECK(found.curves.empty());
+    CHECK(found.points.empty());
+  }
+  const std::vector<FactorPoint> over = points_over(exchanged({a, b, c}), Rational(9, 10));
+  for (std::size_t k = 0; k + 1 < over.size(); ++k)
+    CHECK(over[k].at.r_interval().upper < over[k + 1].at.r_interval().lower);
 }
 
 }  // namespace exsect::factor_points_test
