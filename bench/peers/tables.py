@@ -112,19 +112,21 @@ def other_lengths(results, reference):
 
 
 def round_table(directory):
-    """Pairs by equations: exact ones, and Open CASCADE."""
+    """Pairs by equations: with doubles first, exact ones, and Open CASCADE."""
     rows = []
     for pairs in sorted(directory.glob("*.round"), key=lambda path: path.stat().st_mtime):
         family = pairs.stem
-        exact, surfaces, section = (read(directory / f"{family}.{program}") for program in ("exact", *PEERS[1:]))
-        own = times(exact)
-        row = [family, f"{statistics.median(own.values()):.3g} / {max(own.values()):.3g}", outcomes(exact)]
+        ours, exact, surfaces, section = (
+            read(directory / f"{family}.{program}") for program in ("exsect", "exact", *PEERS[1:]))
+        own = times(ours)
+        row = [family, f"{statistics.median(own.values()):.3g} / {max(own.values()):.3g}", outcomes(ours),
+               f"{statistics.median(times(exact).values()):.3g}"]
         for results in (surfaces, section):
             taken = times(results)
             row += [f"{statistics.median(taken.values()):.3g}", ratio(own, taken),
                     f"{other_lengths(results, exact)} / {len(results) - len(taken)}"]
         rows.append(row)
-    table(["family", "exsect median / worst ms", "complete / incomplete / no answer", "IntSS ms", "exsect/IntSS",
+    table(["family", "exsect median / worst ms", "complete / incomplete / no answer", "--exact ms", "IntSS ms", "exsect/IntSS",
            "other length / no answer", "Section ms", "exsect/Section", "other length / no answer"], rows)
 
 
