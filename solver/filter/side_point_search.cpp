@@ -67,7 +67,9 @@ bool add_side_double_point([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unus
   } else {
     auto point = double_point_near<K>(x, y, pair, place, tolerance);
     const auto is_same = [&](const DoublePointOf<K>& known) { return may_be_same(known, *point); };
+    const auto has_ports = [&](const CornerContact& corner) { return place_of<K>(corner) == point->on; };
     if (!point || !is_on_side(*point) || contacts.double_points.size() == kMostSidePoints ||
+        std::ranges::any_of(contacts.branched, has_ports) ||
         std::any_of(contacts.double_points.begin(), contacts.double_points.end(), is_same)) {
       return false;
     }
