@@ -26,7 +26,7 @@ std::strong_ordering order_over(TriangularPoint a, TriangularPoint b) {
 }
 
 /// Refines a below b until their closed intervals are disjoint.
-void part(TriangularPoint& a, TriangularPoint& b) {
+void make_disjoint(TriangularPoint& a, TriangularPoint& b) {
   for (Rational width = power_of_two(-10); a.r_interval().upper >= b.r_interval().lower; width *= width) {
     a = a.refined_to(width);
     b = b.refined_to(width);
@@ -72,7 +72,7 @@ std::vector<FactorPoint> points_over(const std::vector<BivariatePolynomial>& fac
         next = result.insert(next, {point, {i}}) + 1;
     }
   }
-  for (std::size_t k = 0; k + 1 < result.size(); ++k) part(result[k].at, result[k + 1].at);
+  for (std::size_t k = 0; k + 1 < result.size(); ++k) make_disjoint(result[k].at, result[k + 1].at);
   return result;
 }
 
