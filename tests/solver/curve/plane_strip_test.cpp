@@ -3,21 +3,14 @@
 
 #include <random>
 
+#include "solver/curve/random_curve.h"
 #include "support/catch.h"
 
 namespace exsect::plane_strip_test {
-namespace {
 
-BivariatePolynomial random_curve(std::mt19937& generator, int m, int n) {
-  std::uniform_int_distribution<int> digit(-99, 99);
-  std::vector<Polynomial> rows;
-  for (int i = 0; i <= m; ++i) {
-    std::vector<Rational> row;
-    for (int j = 0; j <= n; ++j) row.emplace_back(digit(generator), 7);
-    rows.emplace_back(row);
-  }
-  return BivariatePolynomial(rows);
-}
+using random_curve::random_curve;
+
+namespace {
 
 template <class Ball>
 std::optional<double> clear(const BivariatePolynomial& f, double u0, double v0, double u1, double v1,

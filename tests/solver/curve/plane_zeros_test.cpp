@@ -6,23 +6,12 @@
 
 #include <random>
 
+#include "solver/curve/random_curve.h"
 #include "support/catch.h"
 
 namespace exsect::plane_zeros_test {
-namespace {
 
-BivariatePolynomial random_curve(std::mt19937& generator, int m, int n) {
-  std::uniform_int_distribution<int> digit(-99, 99);
-  std::vector<Polynomial> rows;
-  for (int i = 0; i <= m; ++i) {
-    std::vector<Rational> row;
-    for (int j = 0; j <= n; ++j) row.emplace_back(digit(generator), 7);
-    rows.emplace_back(row);
-  }
-  return BivariatePolynomial(rows);
-}
-
-}  // namespace
+using random_curve::random_curve;
 
 TEST_CASE("plane zeros: the only zero in an interval, against exact roots", "[curve]") {
   const unsigned seed = 12;

@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <random>
 
+#include "solver/lift/shared_parts.h"
 #include "support/catch.h"
 
 namespace exsect::shared_box_test {
 namespace {
 
 using S = ImplicitSurface;
+using shared_parts::shared;
+using shared_parts::Shared;
 
 const std::array<Point, 8> around = {
     {{1, 0, 0}, {1, 1, 0}, {0, 2, 0}, {-1, 1, 0}, {-3, 0, 0}, {-1, -1, 0}, {0, -1, 0}, {2, -2, 0}}};
@@ -34,25 +37,6 @@ S in(const S& whole, const Cell& cell) {
   const auto of_tube = [&](int k) { return std::array{direction(k)[0], direction(k)[1]}; };
   if (cell.tube) box.tube = TubeSector{of_tube((*cell.tube)[0]), of_tube((*cell.tube)[1])};
   return boxed(whole, box);
-}
-
-/// Of what is shared the connected parts of greatest dimension 2, 1, 0 that are in no part of a greater one.
-struct Shared {
-  bool is_same;
-  int curves;
-  int points;
-  bool operator==(const Shared&) const = default;
-};
-
-Shared shared(const S& a, const S& b) {
-  const SurfaceIntersection found = intersect(a, b);
-  for (const OpenQuestion& open : found.incomplete) UNSCOPED_INFO(open.why);
-  CHECK(found.status == Status::complete);
-  for (const SpaceArc& arc : found.arcs) CHECK(arc.multiplicity == 0);
-  const SurfaceIntersection exchanged = intersect(b, a);
-  CHECK(exchanged.is_same == found.is_same);
-  CHECK(exchanged.arcs.size() == found.arcs.size());
-  return {found.is_same, static_cast<int>(found.curves.size()), found.count(SpaceNodeKind::touch)};
 }
 
 const S pipe = S::cylinder({0, 0, 0}, up, 1);

@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <random>
 
+#include "solver/lift/shared_parts.h"
 #include "support/catch.h"
 
 namespace exsect::sphere_boxes_test {
 namespace {
 
 using S = ImplicitSurface;
+using shared_parts::shared;
+using shared_parts::Shared;
 
 const Point x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
 const S ball = S::sphere({0, 0, 0}, 3);
@@ -30,27 +33,6 @@ S slice(const Point& axis, const Point& from, const Point& to) {
   box.axis = axis;
   box.sector = AxisSector{from, to};
   return boxed(ball, box);
-}
-
-struct Shared {
-  bool is_same;
-  int curves;
-  int points;
-  bool operator==(const Shared&) const = default;
-};
-
-Shared shared(const S& a, const S& b) {
-  const SurfaceIntersection found = intersect(a, b), exchanged = intersect(b, a);
-  for (const OpenQuestion& open : found.incomplete) UNSCOPED_INFO(open.why);
-  CHECK(found.status == Status::complete);
-  for (const SpaceArc& arc : found.arcs) {
-    CHECK(arc.multiplicity == 0);
-    CHECK_FALSE(arc.beside);
-  }
-  CHECK(exchanged.is_same == found.is_same);
-  CHECK(exchanged.arcs.size() == found.arcs.size());
-  CHECK(exchanged.nodes.size() == found.nodes.size());
-  return {found.is_same, static_cast<int>(found.curves.size()), found.count(SpaceNodeKind::touch)};
 }
 
 const Point minus_x = {-1, 0, 0}, minus_y = {0, -1, 0}, minus_z = {0, 0, -1};
