@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -55,29 +56,48 @@ IntersectResult intersect_in_either_order(const RationalPatch& x, const Rational
   return other ? *std::move(other) : result;
 }
 
+/// By the inverse of the second patch, in one order of the patches: its curve is found once.
+class OrderByInverse {
+ public:
+  explicit OrderByInverse(std::optional<PatchInverse> of_second) : inverse_(std::move(of_second)) {}
+
+  /// Empty if nothing is known, or the curve goes through a pole of the second patch or does not, other than
+  /// is asked for.
+  std::optional<IntersectResult> result(const RationalPatch& first, const RationalPatch& second,
+                                        const Run& run, bool through_pole) {
+    if (!is_asked_ && inverse_) curve_ = curve_by_inverse(first, second, *inverse_, run);
+    is_asked_ = true;
+    if (!curve_ || curve_->in_poles.empty() == through_pole) return std::nullopt;
+    auto result = intersect_by_inverse(curve_, run);
+    return result && result->status == Status::complete ? std::move(result) : std::nullopt;
+  }
+
+ private:
+  std::optional<PatchInverse> inverse_;
+  std::shared_ptr<const InverseCurve> curve_;
+  bool is_asked_ = false;
+};
+
 /// By an equation on one of them, if the other one has an inverse; empty where that decides nothing. The
 /// curve of less degree first, those that go through a pole of the patch with the inverse last.
 std::optional<IntersectResult> intersect_as_curve(const RationalPatch& x, const RationalPatch& y,
                                                   const Run& run) {
   const std::optional<PatchInverse> of_x = patch_inverse(x), of_y = patch_inverse(y);
-  const auto in_order = [&](PolesOfInverse poles) -> std::optional<IntersectResult> {
-    auto result = of_y ? intersect_by_inverse(x, y, *of_y, run, poles) : std::nullopt;
-    return result && result->status == Status::complete ? std::move(result) : std::nullopt;
-  };
-  const auto exchanged = [&](PolesOfInverse poles) -> std::optional<IntersectResult> {
-    if (!of_x) return std::nullopt;
-    const auto solve = [&](const RationalPatch& first, const RationalPatch& second, const Run& given) {
-      return intersect_by_inverse(first, second, *of_x, given, poles);
-    };
-    return in_exchanged_order(x, y, run, solve);
+  OrderByInverse by_y(of_y), by_x(of_x);
+  const auto in_order = [&](bool through_pole) { return by_y.result(x, y, run, through_pole); };
+  const auto exchanged = [&](bool through_pole) {
+    return in_exchanged_order(x, y, run,
+                              [&](const RationalPatch& first, const RationalPatch& second, const Run& given) {
+                                return by_x.result(first, second, given, through_pole);
+                              });
   };
   const auto degrees = [](const RationalPatch& patch, const PatchInverse& inverse) {
     return inverse.equation.degree * (patch.degree_u() + patch.degree_v());
   };
   const bool is_exchanged = of_x && of_y && degrees(y, *of_x) < degrees(x, *of_y);
-  for (const PolesOfInverse poles : {PolesOfInverse::left_to_others, PolesOfInverse::allowed}) {
-    auto result = is_exchanged ? exchanged(poles) : in_order(poles);
-    if (!result) result = is_exchanged ? in_order(poles) : exchanged(poles);
+  for (const bool through_pole : {false, true}) {
+    auto result = is_exchanged ? exchanged(through_pole) : in_order(through_pole);
+    if (!result) result = is_exchanged ? in_order(through_pole) : exchanged(through_pole);
     if (result) return result;
   }
   return std::nullopt;

@@ -1,7 +1,6 @@
 #include "special/intersect_by_inverse.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -11,7 +10,6 @@
 #include "answer/proof.h"
 #include "curve/curve_values.h"
 #include "curve/plane_curve.h"
-#include "special/inverse_graph.h"
 #include "special/pole_on_patch.h"
 
 namespace exsect {
@@ -67,15 +65,18 @@ BivariatePolynomial distance_from(const Side& side) {
   return side.value == 0 ? p : BivariatePolynomial::constant(1) - p;
 }
 
+bool is_zero_on(const Side& side, const BivariatePolynomial& f) {
+  return (side.parameter == Parameter::u ? f.at_r(side.value) : f.at_s(side.value)).is_zero();
+}
+
 /// The sides of x that are one point of the surface, with what is 0 on them divided out of the section.
 std::vector<Side> take_poles(BivariatePolynomial& section, const RationalPatch& x) {
   std::vector<Side> poles;
   for (const Parameter p : {Parameter::u, Parameter::v})
     for (const int value : {0, 1}) {
       const Side side{p, value};
-      const BivariatePolynomial distance = distance_from(side);
-      if (is_constant(gcd(section, distance)) || !is_pole(x, side)) continue;
-      while (!is_constant(gcd(section, distance))) section = exact_quotient(section, distance);
+      if (!is_zero_on(side, section) || !is_pole(x, side)) continue;
+      while (is_zero_on(side, section)) section = exact_quotient(section, distance_from(side));
       poles.push_back(side);
     }
   return poles;
@@ -273,18 +274,20 @@ IntersectResult drawn(const InverseCurve& known, const Run& run) {
 
 }  // namespace
 
-std::optional<IntersectResult> intersect_by_inverse(const RationalPatch& x, const RationalPatch& y,
-                                                    const PatchInverse& of_y, const Run& run,
-                                                    PolesOfInverse poles) {
+std::shared_ptr<const InverseCurve> curve_by_inverse(const RationalPatch& x, const RationalPatch& y,
+                                                     const PatchInverse& of_y, const Run& run) {
   std::vector<Point> points = affine_points(x.reduced());
   std::ranges::copy(affine_points(y.reduced()), std::back_inserter(points));
   std::optional<InverseCurve> known;
   run.timed("curve",
             [&] { known = inverse_curve(x, y, of_y, to_double(model_extent(points)), run.turning()); });
-  if (!known) return std::nullopt;
-  if (poles == PolesOfInverse::left_to_others && !known->in_poles.empty()) return std::nullopt;
-  const auto kept = std::make_shared<const InverseCurve>(*std::move(known));
-  return first_drawn([kept](const Run& given) { return std::optional(drawn(*kept, given)); }, run);
+  return known ? std::make_shared<const InverseCurve>(*std::move(known)) : nullptr;
+}
+
+std::optional<IntersectResult> intersect_by_inverse(std::shared_ptr<const InverseCurve> curve,
+                                                    const Run& run) {
+  return first_drawn(
+      [kept = std::move(curve)](const Run& given) { return std::optional(drawn(*kept, given)); }, run);
 }
 
 }  // namespace exsect

@@ -5,22 +5,25 @@
 #include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/result.h>
 
+#include <memory>
 #include <optional>
 
 #include "answer/run.h"
+#include "special/inverse_graph.h"
 #include "special/patch_inverse.h"
 
 namespace exsect {
 
-/// Poles of y on the curve: an arc that ends in one has there, for the parameter along its side, only about
-/// that of the vertex next to it, so that they are left to the inverse of the other patch if it has one.
-enum class PolesOfInverse { left_to_others, allowed };
+/// What x and y have in common, in the square of x, by the inverse of y; turning points are those that the
+/// run asks for. Null if a part of the curve inside of x is one point of x, the curve, or a side of y where x
+/// lies on its surface, is of too high degrees in x, or a pole of y is on them and not known exactly, or is
+/// one of x as well.
+std::shared_ptr<const InverseCurve> curve_by_inverse(const RationalPatch& x, const RationalPatch& y,
+                                                     const PatchInverse& of_y, const Run& run);
 
-/// Whatever meets there, by the inverse of y. Empty if a part of the curve inside of x is one point of x, the
-/// curve, or the sides of y where x lies on its surface, are of too high degrees in x, or a pole of y is on
-/// them and left to others, or is one of x as well.
-std::optional<IntersectResult> intersect_by_inverse(const RationalPatch& x, const RationalPatch& y,
-                                                    const PatchInverse& of_y, const Run& run,
-                                                    PolesOfInverse poles = PolesOfInverse::allowed);
+/// The graph of the curve, which is not null. An arc that ends in a pole of y, one of `in_poles`, has there,
+/// for the parameter along its side, only about that of the vertex next to it.
+std::optional<IntersectResult> intersect_by_inverse(std::shared_ptr<const InverseCurve> curve,
+                                                    const Run& run);
 
 }  // namespace exsect

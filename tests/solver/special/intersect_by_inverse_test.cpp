@@ -48,7 +48,8 @@ std::optional<IntersectResult> by_inverse(const RationalPatch& x, const Rational
                                           const Run& run = Run()) {
   const auto of_y = patch_inverse(y);
   REQUIRE(of_y);
-  return intersect_by_inverse(x, y, *of_y, run);
+  const auto curve = curve_by_inverse(x, y, *of_y, run);
+  return curve ? intersect_by_inverse(curve, run) : std::nullopt;
 }
 
 IntersectResult solved(const RationalPatch& x, const RationalPatch& y) {
