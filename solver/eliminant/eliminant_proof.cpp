@@ -50,7 +50,7 @@ class EliminantProof {
     return true;
   }
 
-  /// No singular point and no curve of a fibre is left, each of which counts two at least: (14.110). Or the
+  /// No singular point and no curve of a fibre is left, each of which counts two at least: (14.15a). Or the
   /// fibre has simple points alone: what else lies over the root is outside of the squares.
   bool are_explained() {
     for (std::size_t i = 0; i < roots_.size(); ++i) {

@@ -123,7 +123,7 @@ void fill_normals(const SubPatchOf<K>& y, double net_error, NormalNetOf<K>& resu
                  kNormalRounding<n> * kUnit * size_a * size_b + kTiny;
 }
 
-/// The bivectors of (14.127), bidegree (2n-2,2n-1), times the binomials of both degrees, by coordinates, from
+/// The bivectors of (14.31a), bidegree (2n-2,2n-1), times the binomials of both degrees, by coordinates, from
 /// the net of Y and that of Y_r.
 template <class K>
 using Bivectors = std::array<std::array<double, 2 * K::degree*(2 * K::degree - 1)>, 6>;
@@ -149,7 +149,7 @@ Bivectors<K> bivectors(const CoefficientsOf<K>& y, const Row<K>* yr) {
   return result;
 }
 
-/// (14.127), bidegree (3n-2,3n-2), coordinate by coordinate: rows of 2n numbers go through vector registers.
+/// (14.31a), bidegree (3n-2,3n-2), coordinate by coordinate: rows of 2n numbers go through vector registers.
 template <class K>
 void fill_normals(const SubPatchOf<K>& y, double net_error, NormalNetOf<K>& result) requires K::weighted {
   constexpr std::size_t n = K::degree;

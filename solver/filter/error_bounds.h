@@ -96,7 +96,7 @@ static_assert(kNormalRounding<2> > 3 * 2 + (5 + 4) * 2 && kNormalRounding<3> > 3
 /// size_n for its rounding, and kTiny.
 template <std::size_t Rows>
 inline constexpr double kProductRounding = Rows* Rows + 1;
-/// (14.127) in R^4: a coordinate of a bivector is the same of a = Y, A = 1, and b = Y_r, with at most 2 n²
+/// (14.31a) in R^4: a coordinate of a bivector is the same of a = Y, A = 1, and b = Y_r, with at most 2 n²
 /// products in a mean. Of size 2 B, with error_b, it is multiplied by Y_s, of size S, with error t: a
 /// coordinate of the covector is a mean of sums of three products, 3 (S error_b + t (2 B + error_b)), and 8 +
 /// n (n+1) roundings of numbers below 3 S times 2 B.

@@ -16,6 +16,7 @@ import re
 import shutil
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -242,6 +243,18 @@ def test_equations_are_cited_where_they_are_implemented():
     labels = {m[1] for page in pages for line in page.read_text().splitlines() if (m := LABEL.search(line))}
     assert len(labels) > 150
     assert sorted(labels - cited) == sorted(IN_PROOFS_ALONE)
+
+
+def test_equations_have_numbers_of_their_own():
+    """No number stands beside two equations, as it would then not say which of them a source is about."""
+    numbers = [
+        m[1]
+        for page in sorted((ROOT / "docs").glob("method*.md"))
+        for line in page.read_text().splitlines()
+        if line.startswith("    ") and (m := LABEL.search(line))
+    ]
+    assert len(numbers) > 150
+    assert [number for number, count in Counter(numbers).items() if count > 1] == []
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
