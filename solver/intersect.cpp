@@ -7,6 +7,7 @@
 #include "answer/proof.h"
 #include "confirmed_curves.h"
 #include "filter/filter.h"
+#include "intersect_at_pole.h"
 #include "intersect_exactly.h"
 #include "intersect_within.h"
 #include "signs_beside.h"
@@ -26,13 +27,24 @@ IntersectResult intersect_beyond_filter(const Run& run, const BezierPatch& x, co
   return intersect_exactly(x, y, run, pair);
 }
 
+/// What that leaves, by what is proved near a pole (method 14.24).
+IntersectResult intersect_beside_poles(const Run& run, const BezierPatch& x, const BezierPatch& y) {
+  IntersectResult result = intersect_in_place(run, x, y);
+  if (result.status == Status::complete || run.out_of_time()) return result;
+  const auto solve = [](const RationalPatch& first, const RationalPatch& second, const Run& part) {
+    return intersect_beside_poles(part, *first.biquadratic(), *second.biquadratic());
+  };
+  auto at_pole = intersect_at_pole(x, y, run, solve);
+  return at_pole ? *std::move(at_pole) : result;
+}
+
 }  // namespace
 
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
     IntersectResult answer = run.finished(with_signs_beside(x, y, run, [&](const Run& part) {
-      return answered(part, [&] { return intersect_in_place(part, x, y); });
+      return answered(part, [&] { return intersect_beside_poles(part, x, y); });
     }));
     const auto again = [x, y](const IntersectOptions& other) { return intersect(x, y, other); };
     return answer_to(options, std::move(answer), again);

@@ -65,12 +65,17 @@ void BoundaryGraph<Ball>::add_side_arc(const SideArc& whole) {
   finish(static_cast<int>(whole.to));
 }
 
-/// A side that is one point of space: its ends, and the stars on it, are one node.
+/// A side that is one point of space: its ends, and the landmarks and stars on it, are one node.
 template <class Ball>
 void BoundaryGraph<Ball>::contract_side(const SideArc& arc) {
   const Side& side = arc.side;
   const Parameter along = line_place({side.parameter, side.value}).roles.line;
   std::vector<int> nodes = {static_cast<int>(arc.from), static_cast<int>(arc.to)};
+  for (std::size_t i = 0; i < sides_.points.size(); ++i) {
+    if (lies_inside(sides_.points[i], arc, side, index(along))) {
+      nodes.push_back(static_cast<int>(i));
+    }
+  }
   for (std::size_t k = 0; k < stars_.size(); ++k) {
     if (lies_inside(stars_[k].centre, arc, side, index(along))) {
       nodes.push_back(star_nodes_[k]);

@@ -399,6 +399,53 @@ TEST_CASE("intersect_at_pole: the direction of an end, at irrational parameters 
     }
 }
 
+TEST_CASE("intersect_at_pole: a polynomial cone that leaves its apex along a side") {
+  // The plane's side lies along the ruling (1,1,1) of the cone x z = y^2, or along (2,1,-1), outside of it.
+  const auto at = [](const Rational& a, const Rational& b) -> Point { return {a, b, 0}; };
+  const auto cone_to = [](const Point& p, const Point& q) {
+    return RationalPatch({{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {p, Point{0, Rational(1, 2), 0}, q}});
+  };
+  const RationalPatch cone = cone_to({1, 0, 0}, {0, 0, 1});
+  const auto plane_on = [&](const Point& way) {  // its side s = 0 is from -way to way
+    const auto on = [&](int k, int up) { return Rational(k) * way + Rational(up) * at(0, 1); };
+    return RationalPatch({{on(-1, 0), on(-1, 1)}, {on(1, 0), on(1, 1)}});
+  };
+  const auto placed = [](const RationalPatch& patch) {
+    Net net;
+    for (int i = 0; i <= patch.degree_u(); ++i) {
+      net.emplace_back();
+      for (int j = 0; j <= patch.degree_v(); ++j) {
+        const Point p = patch.point(i, j);
+        net.back().push_back({Rational(254, 10) * (Rational(3, 5) * p[0] - Rational(4, 5) * p[2]) + 100000000,
+                              Rational(254, 10) * p[1],
+                              Rational(254, 10) * (Rational(4, 5) * p[0] + Rational(3, 5) * p[2])});
+      }
+    }
+    return RationalPatch(net);
+  };
+  IntersectOptions exactly;
+  exactly.exact = true;
+  for (const auto& [way, arcs] : {std::pair(Point{1, 1, 1}, std::size_t{1}), {Point{2, 1, -1}, 0}}) {
+    const RationalPatch y = plane_on(way);
+    const IntersectResult result = intersect(cone, y);
+    REQUIRE(result.status == Status::complete);
+    const Node* pole = pole_of(result.graph);
+    REQUIRE(pole);
+    CHECK(pole->on == std::vector<Side>{{Parameter::u, 0}, {Parameter::s, 0}});
+    CHECK(arcs_at(result.graph, pole->id) == arcs);
+    CHECK(result.graph.isolated_points.size() == 1 - arcs);
+    for (const Arc& arc : result.graph.arcs) {
+      CHECK(arc.place == ArcPlace::patch_boundary);
+      for (const PolylineVertex& vertex : arc.polyline) CHECK(vertex.parameters[3] == 0);
+    }
+    CHECK(difference(result.graph, intersect(cone, y, exactly).graph, {}) == "");
+    CHECK(difference(result.graph, intersect(placed(cone), placed(y)).graph, {}) == "");
+    CHECK(difference(result.graph, intersect(y, cone).graph, {{2, 3, 0, 1}, {}}) == "");
+    CHECK(difference(result.graph, intersect(cone.restricted_to(1, 0, 0, 1), y).graph,
+                     {{0, 1, 2, 3}, {true}}) == "");
+  }
+}
+
 TEST_CASE("intersect_at_pole: a pole that is not on the other patch is never taken for one that is") {
   const RationalPatch x(octant(), kWeights);
   for (const Point& normal : {Point{1, -1, Rational(1, 3)}, Point{0, 0, 1}})
