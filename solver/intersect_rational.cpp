@@ -61,13 +61,14 @@ class OrderByInverse {
  public:
   explicit OrderByInverse(std::optional<PatchInverse> of_second) : inverse_(std::move(of_second)) {}
 
-  /// Empty if nothing is known, or the curve goes through a pole of the second patch or does not, other than
-  /// is asked for.
+  /// Empty if nothing is known, or the curve or the rim of an overlap goes through a pole of the second patch
+  /// or does not, other than is asked for.
   std::optional<IntersectResult> result(const RationalPatch& first, const RationalPatch& second,
                                         const Run& run, bool through_pole) {
     if (!is_asked_ && inverse_) curve_ = curve_by_inverse(first, second, *inverse_, run);
     is_asked_ = true;
-    if (!curve_ || curve_->in_poles.empty() == through_pole) return std::nullopt;
+    const bool is_clear = curve_ && curve_->in_poles.empty() && curve_->rim_poles.empty();
+    if (!curve_ || is_clear == through_pole) return std::nullopt;
     auto result = intersect_by_inverse(curve_, run);
     return result && result->status == Status::complete ? std::move(result) : std::nullopt;
   }

@@ -188,8 +188,9 @@ bool keep_poles(InverseCurve& known) {
   });
 }
 
-/// The points of x with a denominator 0 that are in the region are none, or poles of y (17.23).
-bool meets_pole(const InverseCurve& known) {
+/// The number of points of x in the region with a denominator 0; empty if they are no isolated ones.
+std::optional<std::size_t> count_poles(const InverseCurve& known) {
+  std::size_t count = 0;
   for (const std::size_t p : {2, 3}) {
     const BivariatePolynomial negative = BivariatePolynomial::constant(-1) * known.parameters[p].denominator;
     if (is_positive(known.parameters[p].denominator)) continue;
@@ -197,9 +198,76 @@ bool meets_pole(const InverseCurve& known) {
     poles.clauses.push_back({poles.bounds.size()});
     poles.bounds.push_back(negative);
     const RegionOutline found = outline(poles);
-    if (!found.parts.empty() || !found.curves.empty() || !found.points.empty()) return true;
+    if (!found.parts.empty() || !found.curves.empty()) return std::nullopt;
+    count += found.points.size();
+  }
+  return count;
+}
+
+/// The side of y on which all of the arc is, of those across the pole.
+std::optional<Side> side_across(const Side& pole, const CurveBranch& arc, const InverseCurve& known) {
+  for (const SideBound& bound : known.sides)
+    if (bound.side.parameter != pole.parameter &&
+        sign_at(known.curve.region.bounds[bound.position].exchanged(), arc.inside) == 0)
+      return bound.side;
+  return std::nullopt;
+}
+
+/// Of a node that is this pole of y, if one chain alone runs through it, once, from one side of y to the
+/// other one.
+std::optional<RimPole> rim_pole(std::size_t node, const Side& pole, const InverseCurve& known) {
+  const RegionOutline& of = *known.outline;
+  std::vector<Side> in, out;
+  const auto is_at = [&](std::size_t arc) {
+    return of.graph.arcs[arc].from == node || of.graph.arcs[arc].to == node;
+  };
+  if (std::ranges::any_of(of.curves, is_at)) return std::nullopt;
+  for (const RegionPart& part : of.parts)
+    for (const std::vector<OutlineArc>& chain : part.chains)
+      for (const OutlineArc& at : chain) {
+        if (!is_at(at.arc)) continue;
+        const CurveBranch& arc = of.graph.arcs[at.arc];
+        const std::optional<Side> side = side_across(pole, arc, known);
+        if (!side) return std::nullopt;
+        ((arc.to == node) != at.is_reversed ? in : out).push_back(*side);
+      }
+  if (in.size() != 1 || out.size() != 1 || in[0] == out[0]) return std::nullopt;
+  return RimPole{pole, {in[0], out[0]}};
+}
+
+/// x, X_u and X_v are independent.
+bool is_immersed(const VectorPolynomial& x, const TriangularPoint& at) {
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    std::array<BivariatePolynomial, 3> of;
+    for (std::size_t k = 0, i = 0; k < 4; ++k)
+      if (k != left_out) of[i++] = x[k];
+    const BivariatePolynomial minor =
+        of[0] * jacobian(of[1], of[2]) - of[1] * jacobian(of[0], of[2]) + of[2] * jacobian(of[0], of[1]);
+    if (sign_at(minor.exchanged(), at) != 0) return true;
   }
   return false;
+}
+
+/// Finds the poles of y among the nodes of the outline, all `count` of them, where x is regular; each is
+/// alone there or in one rim (Lemma 17.15a).
+bool find_poles_in_region(std::size_t count, InverseCurve& known, const RationalPatch& y) {
+  if (count == 0) return true;
+  const VectorPolynomial of_x = components(known.x);
+  const CurveGraph& graph = known.outline->graph;
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    const std::optional<TriangularPoint>& exact = graph.nodes[n].exact;
+    const std::optional<Side> pole = exact ? pole_at(*exact, of_x, y) : std::nullopt;
+    if (!pole) continue;
+    --count;
+    if (std::ranges::count(known.outline->points, n) > 0) {
+      known.in_poles.emplace(n, *pole);
+      continue;
+    }
+    const std::optional<RimPole> rim = rim_pole(n, *pole, known);
+    if (!rim || !is_immersed(of_x, *exact)) return false;
+    known.rim_poles.emplace(n, *rim);
+  }
+  return count == 0;
 }
 
 /// x depends on one number alone, as r and s do.
@@ -209,9 +277,10 @@ bool is_curve(const InverseCurve& known) {
   return (r.denominator * along(r.numerator) - r.numerator * along(r.denominator)).is_zero();
 }
 
-/// For x on the surface of y; not if the region has a pole of y or bounds of too high degrees, or x is a
-/// curve.
-std::optional<InverseCurve> inverse_region(InverseCurve known, const PatchInverse& inverse) {
+/// For x on the surface of y; not if the region has bounds of too high degrees, or a pole of y otherwise than
+/// in find_poles_in_region, or x is a curve.
+std::optional<InverseCurve> inverse_region(InverseCurve known, const PatchInverse& inverse,
+                                           const RationalPatch& y) {
   SurfaceCurve& curve = known.curve;
   const VectorPolynomial of_x = components(known.x);
   for (const std::size_t i : {0, 1}) {
@@ -224,9 +293,12 @@ std::optional<InverseCurve> inverse_region(InverseCurve known, const PatchInvers
   const auto is_short = [](const BivariatePolynomial& bound) {
     return bound.is_zero() || degrees_to_sweep(bound) <= kMostDegrees;
   };
-  if (!std::ranges::all_of(curve.region.bounds, is_short) || meets_pole(known)) return std::nullopt;
+  if (!std::ranges::all_of(curve.region.bounds, is_short)) return std::nullopt;
+  const std::optional<std::size_t> poles = count_poles(known);
+  if (!poles) return std::nullopt;
   curve.contains_patch = true;
   known.outline = outline(curve.region);
+  if (!find_poles_in_region(*poles, known, y)) return std::nullopt;
   curve.graph = known.outline->graph;
   return known;
 }
@@ -234,11 +306,11 @@ std::optional<InverseCurve> inverse_region(InverseCurve known, const PatchInvers
 std::optional<InverseCurve> inverse_curve(const RationalPatch& x, const RationalPatch& y,
                                           const PatchInverse& inverse, double extent,
                                           const std::vector<Parameter>& turning) {
-  InverseCurve known{{}, {}, {}, {}, {}, {}, x.reduced(), extent};
+  InverseCurve known{{}, {}, {}, {}, {}, {}, {}, x.reduced(), extent};
   SurfaceCurve& curve = known.curve;
   const VectorPolynomial of_x = components(known.x);
   curve.section = on_patch(inverse.equation, of_x);
-  if (curve.section.is_zero()) return inverse_region(std::move(known), inverse);
+  if (curve.section.is_zero()) return inverse_region(std::move(known), inverse, y);
   known.poles = take_poles(curve.section, known.x);
   curve.section = shortened(curve.section);
   const BivariatePolynomial f = squarefree(curve.section);

@@ -57,6 +57,10 @@ class InverseGraph {
       ends[arc.to].push_back({{-along[0], -along[1], -along[2], -along[3]}, sides});
     }
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) add_node(i, ends[i]);
+    for (const auto& [i, rim] : known_.rim_poles) {
+      ends_of_rim_[i] = result_.add_node(rim_node(i, rim, 1));
+      is_named_.push_back(true);
+    }
     for (std::size_t i = 0; i < drawn_.arcs().size(); ++i) {
       const std::size_t branch = known_.outline ? known_.outline->curves[i] : i;
       Arc arc = with_parameters(drawn_.arcs()[i], &graph_.arcs[branch].inside);
@@ -198,6 +202,10 @@ class InverseGraph {
       result_.add_node(std::move(node));
       return;
     }
+    if (const auto rim = known_.rim_poles.find(i); rim != known_.rim_poles.end()) {
+      result_.add_node(rim_node(i, rim->second, 0));
+      return;
+    }
     const auto pole = known_.in_poles.find(i);
     for (const Side& side : sides_at(i)) node.on.push_back(side);
     node.around.reset();
@@ -209,6 +217,19 @@ class InverseGraph {
         if (ends[0].away[index(p)] * ends[1].away[index(p)] > 0) node.wrt.push_back(p);
     node.kinds = passes(at, node, ends) ? std::vector<NodeKind>{} : kinds(at, node);
     result_.add_node(std::move(node));
+  }
+
+  /// The end of a pole's side that is on the arc of the rim before the pole (0), or after it (1).
+  Node rim_node(std::size_t i, const RimPole& rim, std::size_t end) const {
+    Node node = drawn_.node(static_cast<int>(i));
+    std::erase_if(node.on, [](const Side& side) { return index(side.parameter) >= 2; });
+    node.on.push_back(rim.pole);
+    node.on.push_back(rim.sides[end]);
+    node.around.reset();
+    node.wrt.clear();
+    place(i, node);
+    node.kinds = kinds_on_rim(node);
+    return node;
   }
 
   /// The node is all of this side of y.
@@ -336,14 +357,29 @@ class InverseGraph {
               result_.add_kind(rim.from, NodeKind::end_of_overlap);
   }
 
+  /// From the end of an arc of the rim along the side of y that is a pole there.
+  Arc along_pole(const Arc& before, int to) const {
+    Arc arc = before;
+    arc.from = before.to;
+    arc.to = to;
+    PolylineVertex last = before.polyline.back();
+    for (const std::size_t p : {2, 3}) last.parameters[p] = result_.node(to).approx[p];
+    arc.polyline = {before.polyline.back(), last};
+    return arc;
+  }
+
   /// Its chains go on through nodes of no kind.
   void add_overlap(const Overlap& overlap) {
     std::vector<std::vector<Arc>> chains;
     for (const std::vector<Arc>& chain : overlap.chains) {
       std::vector<Arc> arcs;
-      for (const Arc& arc : chain) {
-        arcs.push_back(with_parameters(arc));
+      for (Arc arc : chain) {
+        const auto from = ends_of_rim_.find(static_cast<std::size_t>(arc.from));
+        if (from != ends_of_rim_.end()) arc.from = from->second;
+        arcs.push_back(with_parameters(std::move(arc)));
         arcs.back().place = ArcPlace::patch_boundary;
+        const auto pole = ends_of_rim_.find(static_cast<std::size_t>(arcs.back().to));
+        if (pole != ends_of_rim_.end()) arcs.push_back(along_pole(arcs.back(), pole->second));
       }
       const auto is_wanted = [&](int id) { return !result_.node(id).kinds.empty(); };
       chains.push_back(joined_chain(std::move(arcs), is_wanted));
@@ -357,6 +393,7 @@ class InverseGraph {
   GraphBuilder drawn_;
   std::vector<bool> is_named_;  // of the nodes of drawn_: by its arcs, overlaps or isolated points
   std::vector<Side> poles_;     // sides of x that are one point, each to become one node
+  std::map<std::size_t, int> ends_of_rim_;  // nodes of result_ in which rims leave poles of y
   GraphBuilder result_;
 };
 

@@ -31,6 +31,12 @@ struct SideBound {
   Side side;
 };
 
+/// Where a part of a region comes to a pole of y and leaves it, along two sides of y that end in `pole`.
+struct RimPole {
+  Side pole;
+  std::array<Side, 2> sides;  // of the arc that ends in the node, and of the one that begins there
+};
+
 /// The curve, or, if x lies on the surface of y, the region, whose rim `outline` is; curve.graph is its
 /// graph.
 struct InverseCurve {
@@ -39,7 +45,8 @@ struct InverseCurve {
   std::optional<RegionOutline> outline;
   std::vector<SideBound> sides;  // of y
   std::vector<Side> poles;       // of a curve: sides of x that are one point of y, no parts of the section
-  std::map<std::size_t, Side> in_poles;  // nodes of a curve that are poles of y, with its side
+  std::map<std::size_t, Side> in_poles;      // nodes that are poles of y, with its side; not of overlaps
+  std::map<std::size_t, RimPole> rim_poles;  // nodes in which an overlap has such a side in its rim
   RationalPatch x;
   double extent;  // of the model
 };

@@ -526,12 +526,14 @@ TEST_CASE(
   CHECK(difference(solved(x, y).graph, quick.graph, {}) == "");
 }
 
-TEST_CASE("by inverse: a pole inside of an overlap is left to others") {
+TEST_CASE("by inverse: a pole inside of the other patch is a side of the overlap") {
   const RationalPatch triangle({{{0, 0, 0}, {2, 0, 0}}, {{0, 2, 0}, {0, 2, 0}}});
   const auto square = [](int x, int y) {
     return RationalPatch({{{x, y, 0}, {x, y + 2, 0}}, {{x + 2, y, 0}, {x + 2, y + 2, 0}}});
   };
-  CHECK_FALSE(by_inverse(square(-1, 1), triangle));
+  const IntersectionGraph inside = solved(square(-1, 1), triangle).graph;
+  CHECK(inside.overlaps.size() == 1);
+  CHECK(difference(inside, solved(triangle, square(-1, 1)).graph, {{2, 3, 0, 1}, {}}) == "");
   CHECK(solved(square(-1, -1), triangle).graph.overlaps.size() == 1);
 }
 

@@ -111,11 +111,30 @@ TEST_CASE("tilted pieces: only a corner in common") {
   CHECK(graph.isolated_points.size() == 1);
 }
 
-TEST_CASE("tilted pieces: poles in each other are left undecided") {
-  IntersectOptions options;
-  options.max_seconds = 60;
+TEST_CASE("tilted pieces: each with its pole inside the other one") {
+  for (const Quaternion& turn : {Quaternion{0, 1, 1, 3}, Quaternion{0, 3, 2, 10}, Quaternion{1, 7, 8, 30}}) {
+    INFO(turn[0] << ' ' << turn[1] << ' ' << turn[2] << ' ' << turn[3]);
+    const auto [of_x, of_y] = overlapping(kOctant, kOctant, turn);
+    CHECK(of_x > 0);
+    CHECK(of_y > 0);
+  }
+  // The corners of the overlap are the ends of both poles' sides, and where other sides cross.
   const RationalPatch x = kOctant.patch();
-  CHECK(intersect(x, revolved::rotated(x, {0, 1, 1, 3}, {0, 0, 0}), options).status == Status::incomplete);
+  const IntersectionGraph graph = intersect(x, revolved::rotated(x, {0, 1, 1, 3}, {0, 0, 0})).graph;
+  REQUIRE(graph.overlaps.size() == 1);
+  for (const Side& pole : {Side{Parameter::u, 1}, Side{Parameter::r, 1}})
+    CHECK(std::ranges::count_if(
+              graph.nodes, [&](const Node& node) { return std::ranges::count(node.on, pole) > 0; }) == 2);
+}
+
+TEST_CASE("tilted pieces: a pole in a corner or on a side of the other one") {
+  // The first two are the same octant, with poles in two of its corners.
+  for (const Quaternion& turn : {Quaternion{1, 1, 1, 1}, Quaternion{1, -1, -1, -1}, Quaternion{1, 3, 3, 1},
+                                 Quaternion{1, 3, 1, 3}, Quaternion{3, -1, -1, -3}, Quaternion{3, 1, 3, 1}}) {
+    INFO(turn[0] << ' ' << turn[1] << ' ' << turn[2] << ' ' << turn[3]);
+    overlapping(kOctant, kOctant, turn);
+  }
+  CHECK(overlapping(kOctant, kOctant, {1, 1, 1, 1}) == std::array<int, 2>{256, 256});
 }
 
 TEST_CASE("tilted pieces: random zones overlap as their points do") {
