@@ -310,10 +310,17 @@ std::array<double, 2> RoundChart::speeds(const RoundBox& box) const {
   return {p.rho[0].upper_magnitude() * unit_, along * unit_};
 }
 
-std::array<double, 3> RoundChart::accelerations(const RoundBox& box) const {
+/// (17.35)
+RoundMotion RoundChart::motion(const RoundBox& box, std::size_t axis, const DoubleBall& slope,
+                               const DoubleBall& bend) const {
   const Profile p = profile(box);
-  return {p.rho[0].upper_magnitude() * unit_, p.rho[1].upper_magnitude() * unit_,
-          is_closed() ? minor_.upper_magnitude() * unit_ : 0};
+  const DoubleBall unit(unit_), none(0), one(1);
+  const DoubleBall &a1 = axis == 0 ? one : slope, &b1 = axis == 0 ? slope : one;
+  const DoubleBall &a2 = axis == 0 ? none : bend, &b2 = axis == 0 ? bend : none;
+  const DoubleBall rho1 = p.rho[1] * b1, bb = b1 * b1;
+  return {{unit * rho1, unit * p.rho[0] * a1, unit * p.z[1] * b1},
+          {unit * (p.rho[2] * bb + p.rho[1] * b2 - p.rho[0] * a1 * a1),
+           unit * (DoubleBall(2) * rho1 * a1 + p.rho[0] * a2), unit * (p.z[2] * bb + p.z[1] * b2)}};
 }
 
 DoubleBall RoundChart::difference(std::size_t coordinate, const RoundPlace& a, const RoundPlace& b) const {

@@ -33,6 +33,11 @@ struct RoundJet {
   std::array<DoubleBall, 3> second;
 };
 
+/// First and second derivative of a position, in the directions away from the axis, around it, and along it.
+struct RoundMotion {
+  std::array<DoubleBall, 3> velocity, acceleration;
+};
+
 /// The points c + rho (cos a e1 + sin a e2) + z e3, in units of a power of two, with orthonormal e, and
 ///   (rho, z) = (R + r cos b, r sin b) on a torus, (r, b) on a cylinder, (m b, b) on a cone,
 /// and on them f = square (N + shift)^2 + p N + q H^2 + t H + constant, the equation of another surface, in
@@ -62,9 +67,12 @@ class RoundChart {
 
   /// In space.
   std::array<DoubleBall, 3> position(const RoundBox& box) const;
-  /// Bounds of the lengths of the first and second derivatives of the position.
+  /// Bounds of the lengths of the first derivatives of the position.
   std::array<double, 2> speeds(const RoundBox& box) const;
-  std::array<double, 3> accelerations(const RoundBox& box) const;
+  /// Of a path with one coordinate as its parameter, and the slope and the bend as the first and second
+  /// derivative of the other one.
+  RoundMotion motion(const RoundBox& box, std::size_t axis, const DoubleBall& slope,
+                     const DoubleBall& bend) const;
   double unit() const { return unit_; }
   /// The chart is of the second one of the surfaces given, and f the equation of the first one.
   bool is_of_second() const { return is_of_second_; }

@@ -1,6 +1,5 @@
 #include "filter/round_intersection.h"
 
-#include <exsect/algebra/interruption.h>
 #include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
@@ -8,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "filter/round_trace.h"
-#include "trace/arc_polyline.h"
+#include "filter/round_polyline.h"
 
 namespace exsect {
 namespace {
@@ -47,60 +45,6 @@ double extent_of(const RoundChart& chart, const std::vector<RoundBox>& landmarks
   return std::max(extent, 2 * chart.unit() * kReduced);
 }
 
-BoundedVertex vertex_at(const RoundChart& chart, const RoundBox& box, double error) {
-  const std::array<DoubleBall, 3> at = chart.position(box);
-  BoundedVertex v{{{}, {at[0].approximation(), at[1].approximation(), at[2].approximation()}}, 0};
-  v.error = (length_bound(at[0].radius(), at[1].radius(), at[2].radius()) + error) * kSlack;
-  return v;
-}
-
-/// The vertices on one tube, each looked for where the last three lead to.
-class TubeVertices {
- public:
-  TubeVertices(const RoundTube& tube, double tolerance) : tube_(tube), wanted_(tolerance / 64 / tube.speed) {}
-
-  BoundedVertex operator()(double s) {
-    const NearCurve near = near_curve(tube_, s, guess(s), wanted_);
-    last_[2] = last_[1];
-    last_[1] = last_[0];
-    last_[0] = {s, near.off};
-    count_ = std::min(count_ + 1, 3);
-    // The place is over an offset within 2^-46 of s.
-    return vertex_at(*tube_.chart, {near.place, {}}, near.error * tube_.speed + 0x1p-46 * tube_.rate);
-  }
-
- private:
-  double guess(double s) const {
-    if (count_ < 3)
-      return count_ == 0 ? tube_.slope * s : last_[0].second + tube_.slope * (s - last_[0].first);
-    const auto& [a, b, c] = last_;
-    const double ab = (a.second - b.second) / (a.first - b.first),
-                 bc = (b.second - c.second) / (b.first - c.first);
-    return a.second + (s - a.first) * (ab + (s - b.first) * (ab - bc) / (a.first - c.first));
-  }
-
-  const RoundTube& tube_;
-  double wanted_;
-  std::array<std::pair<double, double>, 3> last_{};
-  int count_ = 0;
-};
-
-/// The polyline of a trace from landmark to landmark.
-ArcPolyline drawn(const RoundChart& chart, const RoundTrace& trace, double tolerance) {
-  ArcPolyline polyline;
-  polyline.add_vertex(vertex_at(chart, trace.ends[0], 0));
-  for (std::size_t i = 0; i < trace.pieces.size(); ++i) {
-    interruption_point();
-    const auto& [tube, range] = trace.pieces[i];
-    TubeVertices vertices(tube, tolerance);
-    polyline.add_chords(tube.acceleration, range.from(), range.to(), tolerance,
-                        [&](double s) { return vertices(s); });
-    if (i + 1 < trace.pieces.size()) polyline.add_vertex(vertices(range.to()));
-  }
-  polyline.add_vertex(vertex_at(chart, trace.ends[1], 0));
-  return polyline;
-}
-
 using DoubleVector = std::array<double, 3>;
 
 DoubleVector edge_from(const DoubleVector& a, const DoubleVector& b) {
@@ -114,14 +58,14 @@ double along_of(const DoubleVector& a, const DoubleVector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The vertex for which a function is greatest.
+/// Of some vertices of each arc the one for which a function is greatest.
 template <class Size>
 DoubleVector farthest(const std::vector<const SpaceArc*>& arcs, const Size& size) {
   DoubleVector best{};
   double greatest = -1;
   for (const SpaceArc* arc : arcs)
-    for (const DoubleVector& vertex : arc->polyline)
-      if (const double s = size(vertex); s > greatest) greatest = s, best = vertex;
+    for (std::size_t i = 0; i < arc->polyline.size(); i += 1 + arc->polyline.size() / 32)
+      if (const double s = size(arc->polyline[i]); s > greatest) greatest = s, best = arc->polyline[i];
   return best;
 }
 
@@ -209,7 +153,7 @@ std::optional<SurfaceIntersection> round_intersection(const ImplicitSurface& fir
     const std::optional<RoundTrace> trace = round_trace(*chart, *landmarks, i);
     if (!trace) return std::nullopt;
     if (++arrivals[static_cast<std::size_t>(trace->end)] > 1 || trace->end == id) return std::nullopt;
-    ArcPolyline polyline = drawn(*chart, *trace, allowed);
+    ArcPolyline polyline = round_polyline(*chart, *trace, allowed);
     const double bound = polyline.bound();
     if (!(bound <= allowed)) return std::nullopt;
     result.nodes.push_back(joint_at(*chart, (*landmarks)[i], id));

@@ -40,12 +40,19 @@ double width_guess(const TubeJet& at, double slope, double reach) {
 
 namespace {
 
+/// The places of a ball without 0 of the given sign, from `least` on.
+DoubleBall beyond(const DoubleBall& x, int sign, double least) {
+  if (x.lower_magnitude() >= least) return x;
+  const double most = larger_bound(x.upper_magnitude(), least);
+  return DoubleBall::between(sign > 0 ? least : -most, sign > 0 ? most : -least);
+}
+
 /// Bounds of f on the places of a tube.
 struct TubeBounds {
   TubeJet over;
   double off;         // of |f| on the line
   DoubleBall across;  // f_l
-  double turn;        // of the slope's distance from the line's
+  double tilted;      // of |f_k + m f_l|, m the line's slope
 
   TubeBounds(const RoundChart& chart, const RoundBox& box, const TubeJet& at, std::size_t axis, double slope)
       : over(chart.jet(box), axis) {
@@ -55,9 +62,9 @@ struct TubeBounds {
     off = at.value.upper_magnitude() + tilt.upper_magnitude() * reach + curved * reach * reach / 2;
     const double change = over.second[1].upper_magnitude() * reach + over.second[2].upper_magnitude() * side;
     across = at.across.widened(change * kSlack);
-    turn = (tilt.upper_magnitude() + (over.second[0] + m * over.second[1]).upper_magnitude() * reach +
-            (over.second[1] + m * over.second[2]).upper_magnitude() * side) /
-           least() * kSlack;
+    tilted = (tilt.upper_magnitude() + (over.second[0] + m * over.second[1]).upper_magnitude() * reach +
+              (over.second[1] + m * over.second[2]).upper_magnitude() * side) *
+             kSlack;
   }
 
   double least() const { return across.lower_magnitude(); }
@@ -68,13 +75,8 @@ struct TubeBounds {
 RoundTube tube_of(const RoundChart& chart, const RoundBox& box, std::size_t axis, double width,
                   const TubeBounds& bounds, double slope, double gradient) {
   const std::size_t other = 1 - axis;
-  const DoubleBall slopes(slope, bounds.turn);
-  const double bend = second_along(bounds.over.second, slopes).upper_magnitude() / bounds.least();
   const std::array<double, 2> speeds = chart.speeds(box);
-  const std::array<double, 3> accelerations = chart.accelerations(box);
-  const double steep = slopes.upper_magnitude();
-  const double acceleration = accelerations[2 * axis] + 2 * accelerations[1] * steep +
-                              accelerations[2 - 2 * axis] * steep * steep + speeds[other] * bend;
+  const double steep = DoubleBall(slope, bounds.tilted / bounds.least() * kSlack).upper_magnitude();
   const double deviation = (bounds.across - DoubleBall(gradient)).upper_magnitude();
   return {&chart,
           box.centre,
@@ -86,7 +88,7 @@ RoundTube tube_of(const RoundChart& chart, const RoundBox& box, std::size_t axis
           bounds.across.certain_sign(),
           gradient,
           deviation / std::fabs(gradient) * kSlack,
-          acceleration * kSlack,
+          steep,
           speeds[other],
           (speeds[axis] + steep * speeds[other]) * kSlack};
 }
@@ -146,10 +148,11 @@ NearCurve near_curve(const RoundTube& tube, double s, double guess, double wante
   const std::size_t other = 1 - tube.axis;
   const RoundPlace start = tube.chart->moved(tube.centre, tube.axis, s);
   const bool is_along = (std::fabs(s) + rounding) * kSlack <= tube.reach;
-  double off = guess, before = 0, value_before = 0;
-  NearCurve best{start, guess, std::numeric_limits<double>::infinity()};
+  const double line = tube.slope * s;
+  double off = std::fabs(guess - line) < tube.width / 2 ? guess : line, before = 0, value_before = 0;
+  NearCurve best{start, off, std::numeric_limits<double>::infinity()};
   for (int step = 0; step < most_steps && is_along; ++step) {
-    if (!((std::fabs(off - tube.slope * s) + rounding) * kSlack < tube.width)) break;
+    if (!((std::fabs(off - line) + rounding) * kSlack < tube.width)) break;
     const RoundPlace here = tube.chart->moved(start, other, off);
     const DoubleBall f = tube.chart->value(here);
     // The zero is at f / f_d(x) for some x between, and the next place at f / gradient.
@@ -160,7 +163,7 @@ NearCurve near_curve(const RoundTube& tube, double s, double guess, double wante
     const double next = off - f.approximation() / tube.gradient;
     const double left =
         (error * tube.contraction + f.radius() / std::fabs(tube.gradient)) * kSlack + 2 * rounding;
-    if (left <= wanted && (std::fabs(next - tube.slope * s) + rounding) * kSlack < tube.width)
+    if (left <= wanted && (std::fabs(next - line) + rounding) * kSlack < tube.width)
       return {tube.chart->moved(start, other, next), next, left};
     const double secant = step > 0 ? (f.approximation() - value_before) / (off - before) : tube.gradient;
     before = off;
@@ -168,6 +171,49 @@ NearCurve near_curve(const RoundTube& tube, double s, double guess, double wante
     off -= f.approximation() / (secant != 0 ? secant : tube.gradient);
   }
   return best;
+}
+
+namespace {
+
+/// Requires a ball without 0; of infinite or NaN radius if it is not.
+DoubleBall inverse(const DoubleBall& x) {
+  const double middle = 1 / x.approximation();
+  return {middle, (x.radius() / x.lower_magnitude() + 0x1p-52) * std::fabs(middle) * kSlack};
+}
+
+double length_bound(const std::array<DoubleBall, 3>& v) {
+  return exsect::length_bound(v[0].upper_magnitude(), v[1].upper_magnitude(), v[2].upper_magnitude());
+}
+
+DoubleBall minor_of(const RoundMotion& motion, std::size_t i, std::size_t k) {
+  return motion.velocity[i] * motion.acceleration[k] - motion.velocity[k] * motion.acceleration[i];
+}
+
+}  // namespace
+
+RoundArc arc_near(const RoundTube& tube, const NearCurve& near, double reach) {
+  const std::size_t other = 1 - tube.axis;
+  const TubeJet at(tube.chart->jet(near.place), tube.axis);
+  const double slope = -at.along.approximation() / at.across.approximation();
+  RoundBox box{near.place, {}};
+  box.reach[tube.axis] = reach;
+  const double rise = std::min(tube.steep * reach, std::fabs(tube.slope) * reach + 2 * tube.width);
+  box.reach[other] = (rise + near.error) * kSlack;
+  const TubeBounds bounds(*tube.chart, box, at, tube.axis, slope);
+  // The box may be wider than the tube.
+  const DoubleBall across = beyond(bounds.across, tube.sign, tube.least);
+  const DoubleBall slopes(slope, bounds.tilted / across.lower_magnitude() * kSlack);
+  const DoubleBall bends = -(second_along(bounds.over.second, slopes) * inverse(across));
+  const RoundMotion motion = tube.chart->motion(box, tube.axis, slopes, bends);
+  const auto& v = motion.velocity;
+  const double least_speed =
+      std::hypot(v[0].lower_magnitude(), std::hypot(v[1].lower_magnitude(), v[2].lower_magnitude())) *
+      kReduced;
+  const double acceleration = length_bound(motion.acceleration);
+  const double normal =
+      length_bound({minor_of(motion, 1, 2), minor_of(motion, 2, 0), minor_of(motion, 0, 1)}) / least_speed *
+      kSlack;
+  return {slope, bends.approximation(), acceleration, normal, least_speed};
 }
 
 }  // namespace exsect

@@ -20,11 +20,11 @@ struct RoundTube {
   double width;
   double least;
   int sign;
-  double gradient;      // about that derivative in the centre
-  double contraction;   // of its quotient by that from 1
-  double acceleration;  // a bound of the second derivative of the position by s along the arc
-  double speed;         // of that of the position by the other coordinate
-  double rate;          // of that by s along the arc
+  double gradient;     // about that derivative in the centre
+  double contraction;  // of its quotient by that from 1
+  double steep;        // a bound of the derivative of the other coordinate by s along the arc
+  double speed;        // of that of the position by the other coordinate
+  double rate;         // of that by s along the arc
 };
 
 /// About a place near the curve. Empty if there is no proof.
@@ -39,12 +39,21 @@ bool contains(const RoundTube& tube, const RoundBox& box);
 
 /// A place over the offset s, and a bound of the distance from the zero over that offset, in the other
 /// coordinate: as soon as it is at most `wanted`, or as small as doubles make it; infinite if there is none.
-/// `guess` is about this coordinate's difference from the centre's.
+/// `guess` is about this coordinate's difference from the centre's, or not used if it is not in the tube.
 struct NearCurve {
   RoundPlace place;
   double off;    // the other coordinate's difference from the centre's
   double error;  // >= 0
 };
 NearCurve near_curve(const RoundTube& tube, double s, double guess, double wanted);
+
+/// The arc over the offsets within `reach` of that of a place near the curve.
+struct RoundArc {
+  double slope, bend;  // about the derivatives of the other coordinate by s at the place
+  // Of the position by s, all along the arc: the second derivative is at most `acceleration`, its part across
+  // the tangent at most `normal`, and the first one at least `least_speed`.
+  double acceleration, normal, least_speed;
+};
+RoundArc arc_near(const RoundTube& tube, const NearCurve& near, double reach);
 
 }  // namespace exsect

@@ -22,15 +22,20 @@ class ArcPolyline {
   /// A chord keeps within the bound of what it stands for.
   void cover(double bound) { chord_error_ = larger_bound(chord_error_, bound); }
 
+  /// The chords over such steps deviate by less than the tolerance, by the bound of add_chords.
+  static double step(double second_derivative, double tolerance) {
+    return std::sqrt(8 * 0.9 * tolerance / second_derivative);
+  }
+
   /// Chords between the offsets a and b, whose vertices are added by others, within the tolerance if they are
   /// not too many. The position in space is twice differentiable along the arc, so a chord over a step h
   /// deviates by at most K h^2 / 8 from the arc over the same offsets, K a bound of the second derivative.
   template <class VertexAt>
   void add_chords(double second_derivative, double a, double b, double tolerance, const VertexAt& vertex_at) {
     const double length = std::fabs(b - a) * kSlack;
-    const int n = chord_count(std::ceil(length * std::sqrt(second_derivative / (8 * 0.9 * tolerance))));
-    const double step = length / n;
-    cover(second_derivative * step * step / 8 * kSlack);
+    const int n = chord_count(std::ceil(length / step(second_derivative, tolerance)));
+    const double each = length / n;
+    cover(second_derivative * each * each / 8 * kSlack);
     for (int i = 1; i < n; ++i) add_vertex(vertex_at(a + (b - a) * (static_cast<double>(i) / n)));
   }
 

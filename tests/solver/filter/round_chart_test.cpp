@@ -105,6 +105,38 @@ TEST_CASE("round chart: boxes contain values and derivatives, which are those of
     }
 }
 
+TEST_CASE("round chart: motion along paths, by its lengths and the angle between both") {
+  std::mt19937_64 generator(9);
+  for (const S& first : charted()) {
+    const auto chart = RoundChart::of(first, others()[1]).value();
+    for (const std::size_t axis : {0U, 1U})
+      for (int i = 0; i < 10; ++i) {
+        const RoundPlace place = random_place(chart, generator);
+        const double slope = std::uniform_real_distribution<double>(-2, 2)(generator),
+                     bend = std::uniform_real_distribution<double>(-2, 2)(generator), h = 1e-4;
+        const auto at = [&](double s) {
+          return chart.position(
+              {chart.moved(chart.moved(place, axis, s), 1 - axis, slope * s + bend * s * s / 2), {}});
+        };
+        const auto a = at(-h), b = at(0), c = at(h);
+        const RoundMotion motion = chart.motion({place, {}}, axis, slope, bend);
+        double vv = 0, vw = 0, ww = 0;
+        DoubleBall expected_vv(0), expected_vw(0), expected_ww(0);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double v = (c[k].approximation() - a[k].approximation()) / (2 * h),
+                       w = (a[k].approximation() - 2 * b[k].approximation() + c[k].approximation()) / (h * h);
+          vv += v * v, vw += v * w, ww += w * w;
+          expected_vv += motion.velocity[k] * motion.velocity[k];
+          expected_vw += motion.velocity[k] * motion.acceleration[k];
+          expected_ww += motion.acceleration[k] * motion.acceleration[k];
+        }
+        CHECK(std::fabs(vv - expected_vv.approximation()) < 1e-4 * (1 + vv));
+        CHECK(std::fabs(vw - expected_vw.approximation()) < 1e-4 * (1 + vv + ww));
+        CHECK(std::fabs(ww - expected_ww.approximation()) < 1e-4 * (1 + ww));
+      }
+  }
+}
+
 TEST_CASE("round chart: differences of angles, and those that are far") {
   const auto chart = RoundChart::of(charted()[0], others()[0]).value();
   const RoundPlace zero{{RoundCoordinate{1, 0}, RoundCoordinate{0.6, 0.8}}};

@@ -2,6 +2,7 @@
 // x = sqrt(4 - cos^2 a) at the angle a.
 #include "filter/round_tube.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/catch.h"
@@ -60,21 +61,44 @@ TEST_CASE("round tube: none around turning points along the wrong axis, nor off 
   CHECK(round_tube(chart, landmarks[0].centre, 0, 0.1));
 }
 
-TEST_CASE("round tube: the second derivative along the arc") {
+TEST_CASE("round tube: the derivatives along the arc near a place") {
   const RoundChart chart = crossing_cylinders();
-  const auto tube = round_tube(chart, on_curve(chart, 0.4), 0, 0.05).value();
-  const double h = 1e-4;
-  const auto at = [&](double s) {
-    return chart.position({near_curve(tube, s, tube.slope * s, 1e-13).place, {}});
-  };
-  for (const double s : {-0.04, 0.0, 0.03}) {
-    const auto a = at(s - h), b = at(s), c = at(s + h);
-    double squared = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      squared +=
-          std::pow((a[k].approximation() - 2 * b[k].approximation() + c[k].approximation()) / (h * h), 2);
-    CHECK(std::sqrt(squared) <= tube.acceleration * (1 + 1e-3));
-    CHECK(std::sqrt(squared) >= tube.acceleration / 4);
+  for (const double angle : {-0.6, 0.0, 0.4}) {
+    const auto tube = round_tube(chart, on_curve(chart, angle), 0, 0.1).value();
+    const double h = 1e-4;
+    const auto at = [&](double s) {
+      return chart.position({near_curve(tube, s, tube.slope * s, 1e-13).place, {}});
+    };
+    for (const double reach : {0.01, 0.03})
+      for (const double s : {-0.06, 0.0, 0.05}) {
+        const NearCurve near = near_curve(tube, s, tube.slope * s, 1e-13);
+        const RoundArc arc = arc_near(tube, near, reach);
+        const double before = near_curve(tube, s - h, tube.slope * (s - h), 1e-13).off,
+                     after = near_curve(tube, s + h, tube.slope * (s + h), 1e-13).off;
+        CHECK(std::fabs(arc.slope - (after - before) / (2 * h)) < 1e-6);
+        CHECK(std::fabs(arc.bend - (after - 2 * near.off + before) / (h * h)) < 0.05);
+        double most = 0, most_normal = 0, least = INFINITY;
+        for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+          const auto a = at(s + t * reach - h), b = at(s + t * reach), c = at(s + t * reach + h);
+          double first = 0, second = 0, along = 0;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const double v = (c[k].approximation() - a[k].approximation()) / (2 * h),
+                         w = (a[k].approximation() - 2 * b[k].approximation() + c[k].approximation()) /
+                             (h * h);
+            first += v * v, second += w * w, along += v * w;
+          }
+          most = std::max(most, std::sqrt(second));
+          most_normal = std::max(most_normal, std::sqrt(second - along * along / first));
+          least = std::min(least, std::sqrt(first));
+        }
+        CHECK(most <= arc.acceleration * (1 + 1e-5));
+        CHECK(most_normal <= arc.normal * (1 + 1e-5));
+        CHECK(least >= arc.least_speed * (1 - 1e-5));
+        // The enclosures are not much wider than the arc.
+        CHECK(arc.acceleration < most * (1 + 12 * reach));
+        CHECK(arc.normal < most_normal * (1 + 12 * reach));
+        CHECK(arc.least_speed > least * (1 - 4 * reach));
+      }
   }
 }
 
