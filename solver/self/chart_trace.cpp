@@ -110,8 +110,8 @@ class ChartTracer {
       return std::nullopt;
     }
     const double radius = largest_radius(position_);
-    auto tube = certify_chart_tube(system, *centre, axis, 0.51 * step_ + 2 * radius,
-                                   std::max(4 * radius, kChartTubeRoom * step_));
+    auto tube = certify_tube(system, *centre, axis, 0.51 * step_ + 2 * radius,
+                             std::max(4 * radius, kChartTubeRoom * step_));
     if (!tube || tube->contraction > kChartSteps.worst || !contains(*tube, position_)) {
       return std::nullopt;
     }

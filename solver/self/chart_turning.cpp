@@ -74,9 +74,8 @@ class ChartTurning {
     const double radius = larger_bound(largest_radius(centre), largest_radius(start), largest_radius(end));
     const std::size_t axis = piece.tube.axis;
     const double length = std::fabs(to - from);
-    const auto tube =
-        certify_chart_tube(chart_of(charts_, piece.chart), centre, axis, 0.505 * length + 2 * radius,
-                           std::max(4 * radius, kChartTubeRoom * length));
+    const auto tube = certify_tube(chart_of(charts_, piece.chart), centre, axis, 0.505 * length + 2 * radius,
+                                   std::max(4 * radius, kChartTubeRoom * length));
     const auto range =
         tube ? range_on(*tube, start, centre, end, piece.range.direction()) : std::optional<PieceRange>();
     if (!range) {

@@ -108,8 +108,8 @@ std::optional<ChartTube<Ball>> tube_to(const ChartSystem<Ball>& system, const Ch
   if (!centre) {
     return std::nullopt;
   }
-  auto tube = certify_chart_tube(system, *centre, kAxisW, 0.53 * w_end,
-                                 std::max(4 * largest_radius(cusp.at), kChartTubeRoom * w_end));
+  auto tube = certify_tube(system, *centre, kAxisW, 0.53 * w_end,
+                           std::max(4 * largest_radius(cusp.at), kChartTubeRoom * w_end));
   if (!tube || tube->contraction > kWorstCuspContraction || !contains(*tube, cusp.at)) {
     return std::nullopt;
   }

@@ -10,15 +10,12 @@
 
 #include "self/chart.h"
 #include "shape/injective_rectangle.h"
-#include "trace/subdivision.h"
+#include "trace/breadth_first.h"
 
 namespace exsect {
 
-/// A box of U, V, m, w with double ends.
-struct ChartBox {
-  std::array<double, 4> lower;
-  std::array<double, 4> upper;
-};
+/// Of U, V, m, w.
+using ChartBox = SearchRegion;
 
 /// u1, v1, u2 and v2 over the pairs of a box of a chart, to within 2^-48: they may lie outside of the square.
 SearchRegion pair_bounds(Chart chart, const ChartBox& box);

@@ -68,7 +68,7 @@ class SelfLoops {
     const ChartSeedHandler<SearchBall> known = [this, which](const BallPoint<SearchBall>& p) {
       return is_known(which, in_arithmetic<Ball>(p));
     };
-    ChartSearchOutcome outcome =
+    SearchOutcome outcome =
         search_chart(chart, places_, roots, direction, known, most_boxes<SearchBall>(), stop_);
     found_.searched_boxes += outcome.boxes;
     return std::move(outcome.undecided);

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
+#include <utility>
 
 #include "self/chart_cell.h"
-#include "trace/tube_points.h"
+#include "self/pair_rates.h"
+#include "trace/covering_tube.h"
 
 namespace exsect {
 
@@ -16,64 +19,7 @@ namespace {
 constexpr std::size_t kMostWaiting = 20000;
 constexpr int kDeepest = 200;  // halvings, all variables together
 constexpr int kFirstCertificateDepth = 6;
-
-using Column = std::array<double, 3>;
-
-template <class Ball>
-BallPoint<Ball> ball_box(const ChartBox& box) {
-  BallPoint<Ball> result;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const double half = 0.5 * (box.upper[j] - box.lower[j]);
-    const double mid = 0.5 * (box.lower[j] + box.upper[j]);
-    result[j] = Ball(mid).widened(half * kSlack + 0x1p-50 * std::fabs(mid));
-  }
-  return result;
-}
-
-/// A tube that contains the whole box.
-template <class Ball>
-std::optional<ChartTube<Ball>> tube_around(const ChartSystem<Ball>& system, const ChartBox& box,
-                                           std::optional<std::size_t> wanted_axis) {
-  BallPoint<Ball> centre;
-  std::array<double, 4> half{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    centre[j] = Ball(0.5 * (box.lower[j] + box.upper[j]));
-    half[j] = 0.5 * (box.upper[j] - box.lower[j]) * kSlack;
-  }
-  const ChartNet<Ball, 2> taylor = system.taylor(centre);
-  std::array<Column, 4> column;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const BallVector<Ball>& c = taylor[chart_strides(2)[j]];
-    column[j] = {c[0].approximation(), c[1].approximation(), c[2].approximation()};
-  }
-  const std::array<double, 4> tangent = {dot<double>(column[1], cross<double>(column[2], column[3])),
-                                         -dot<double>(column[0], cross<double>(column[2], column[3])),
-                                         dot<double>(column[0], cross<double>(column[1], column[3])),
-                                         -dot<double>(column[0], cross<double>(column[1], column[2]))};
-  std::size_t axis = 0;
-  for (std::size_t j = 1; j < 4; ++j) {
-    axis = std::fabs(tangent[j]) > std::fabs(tangent[axis]) ? j : axis;
-  }
-  axis = wanted_axis.value_or(axis);
-  const auto start = newton_corrected(system, centre, axis, 3);
-  if (!start) {
-    return std::nullopt;
-  }
-  double needed = 0;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const double slope = tangent[j] / tangent[axis];
-    if (j != axis) {
-      needed = std::max(needed, ((*start)[j] - centre[j]).upper_magnitude() + half[j] +
-                                    1.01 * std::fabs(slope) * half[axis]);
-    }
-  }
-  const double reach = std::max(half[axis] * 1.01, 0x1p-30 * needed);
-  auto tube = certify_chart_tube(system, *start, axis, reach, needed * 1.01);
-  if (!tube || !contains(*tube, ball_box<Ball>(box))) {
-    return std::nullopt;
-  }
-  return tube;
-}
+constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
 /// (7.8) det(c_0 H_V - c_1 H_U, H_m, H_w / m) does not vanish on the box, and det(H_U, H_V, H_m) does not if
 /// the box has points with m = 0: then no curve point in it is singular, or has c . (U',V') = 0 unless the
@@ -103,68 +49,58 @@ bool tangent_cannot_vanish(const ChartSystem<Ball>& system, const ChartCell<Ball
          dot(derivative[0], cross(derivative[1], derivative[2])).certain_sign() != 0;
 }
 
-/// Breadth first: what is left when the budget ends are small boxes around the difficult places.
-template <class Ball, class Done>
-ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const KnownPlaces& places,
-                             const std::vector<ChartBox>& roots, long most_boxes, const StopRequest& stop,
-                             const Done& done) {
-  ChartSearchOutcome outcome;
-  std::deque<ChartCell<Ball>> waiting;
-  for (const ChartBox& root : roots) {
-    waiting.push_back(chart_cell(system, root));
-    if (roots.size() > 1) waiting.back().depth = kFirstCertificateDepth;  // left by a search that reached it
-  }
-  std::array<ChartCell<Ball>, 2> halves;
-  while (!waiting.empty()) {
-    const ChartCell<Ball> cell = std::move(waiting.front());
-    waiting.pop_front();
-    ++outcome.boxes;
-    if (outside(cell.box) || places.contain(system.chart(), cell.box) || cannot_vanish(cell.net) ||
-        done(cell)) {
-      continue;
+/// The boxes in which H may vanish, outside the known places, until `is_found` holds (breadth_first.h).
+template <class Ball, class IsFound>
+class ChartCover {
+ public:
+  using Cell = ChartCell<Ball>;
+
+  ChartCover(const ChartSystem<Ball>& system, const KnownPlaces& places, const IsFound& is_found)
+      : system_(system), places_(places), is_found_(is_found) {}
+
+  SearchOutcome run(const std::vector<ChartBox>& roots, long most_boxes, const StopRequest& stop) {
+    std::deque<Cell> waiting;
+    for (const ChartBox& root : roots) {
+      waiting.push_back(chart_cell(system_, root));
+      if (roots.size() > 1)
+        waiting.back().depth = kFirstCertificateDepth;  // left by a search that reached it
     }
-    const bool stopped = outcome.boxes > most_boxes || waiting.size() > kMostWaiting ||
-                         (stop && outcome.boxes % 64 == 0 && stop());
-    if (stopped || cell.depth >= kDeepest || !split(cell, halves)) {
-      outcome.undecided.push_back(cell.box);
-      if (stopped) {
-        for (const ChartCell<Ball>& other : waiting) {
-          outcome.undecided.push_back(other.box);
-        }
-        break;
-      }
-      continue;
-    }
-    waiting.push_back(std::move(halves[0]));
-    waiting.push_back(std::move(halves[1]));
+    return search_breadth_first(*this, std::move(waiting), {most_boxes, kMostWaiting}, stop);
   }
-  return outcome;
-}
+
+  bool is_done(const Cell& cell) const {
+    return outside(cell.box) || places_.contain(system_.chart(), cell.box) || cannot_vanish(cell.net) ||
+           (cell.depth >= kFirstCertificateDepth && is_found_(cell));
+  }
+  static bool split(const Cell& cell, std::deque<Cell>& waiting) {
+    std::array<Cell, 2> halves;
+    if (cell.depth >= kDeepest || !exsect::split(cell, halves)) return false;
+    for (Cell& half : halves) waiting.push_back(std::move(half));
+    return true;
+  }
+  static const ChartBox& region_of(const Cell& cell) { return cell.box; }
+
+ private:
+  const ChartSystem<Ball>& system_;
+  const KnownPlaces& places_;
+  const IsFound& is_found_;
+};
 
 }  // namespace
 
 template <class Ball>
-ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownPlaces& places,
-                                const std::vector<ChartBox>& roots, const std::array<double, 2>& direction,
-                                const ChartSeedHandler<Ball>& known, long most_boxes,
-                                const StopRequest& stop) {
+SearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownPlaces& places,
+                           const std::vector<ChartBox>& roots, const std::array<double, 2>& direction,
+                           const ChartSeedHandler<Ball>& known, long most_boxes, const StopRequest& stop) {
   const bool is_first = system.chart() == Chart::first;
   const std::array<double, 2> own = is_first ? direction : std::array<double, 2>{direction[1], direction[0]};
-  const auto done = [&](const ChartCell<Ball>& cell) {
-    if (!known || cell.depth < kFirstCertificateDepth) {
-      return false;
-    }
-    if (tangent_cannot_vanish(system, cell, own)) {
-      return true;
-    }
-    const auto tube = tube_around(system, cell.box, std::nullopt);
-    if (!tube) {
-      return false;
-    }
-    return known(point_at(*tube, 0)) || known(point_at(*tube, -tube->reach)) ||
-           known(point_at(*tube, tube->reach));
+  const auto is_found = [&](const ChartCell<Ball>& cell) {
+    if (!known) return false;
+    if (tangent_cannot_vanish(system, cell, own)) return true;
+    const auto tube = covering_tube(system, cell.box, std::nullopt, kAnywhere);
+    return tube && is_arc_known(*tube, known);
   };
-  return subdivide(system, places, roots, most_boxes, stop, done);
+  return ChartCover(system, places, is_found).run(roots, most_boxes, stop);
 }
 
 template <class Ball>
@@ -173,11 +109,8 @@ CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const Know
   constexpr long kMostBoxes = 20000;
   constexpr std::size_t kAxisW = 3;
   CuspSearchOutcome<Ball> outcome;
-  const auto done = [&](const ChartCell<Ball>& cell) {
-    if (cell.depth < kFirstCertificateDepth) {
-      return false;
-    }
-    const auto tube = tube_around(system, cell.box, kAxisW);
+  const auto is_found = [&](const ChartCell<Ball>& cell) {
+    const auto tube = covering_tube(system, cell.box, kAxisW, kAnywhere);
     if (!tube) {
       return false;
     }
@@ -193,15 +126,15 @@ CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const Know
   };
   ChartBox root = whole_chart;
   root.upper[kAxisW] = 0;
-  outcome.undecided = subdivide(system, places, {root}, kMostBoxes, stop, done).undecided;
+  outcome.undecided = ChartCover(system, places, is_found).run({root}, kMostBoxes, stop).undecided;
   return outcome;
 }
 
-#define EXSECT_INSTANTIATE_SELF_SEARCH(Ball)                                                           \
-  template ChartSearchOutcome search_chart(const ChartSystem<Ball>&, const KnownPlaces&,               \
-                                           const std::vector<ChartBox>&, const std::array<double, 2>&, \
-                                           const ChartSeedHandler<Ball>&, long, const StopRequest&);   \
-  template CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>&, const KnownPlaces&,          \
+#define EXSECT_INSTANTIATE_SELF_SEARCH(Ball)                                                      \
+  template SearchOutcome search_chart(const ChartSystem<Ball>&, const KnownPlaces&,               \
+                                      const std::vector<ChartBox>&, const std::array<double, 2>&, \
+                                      const ChartSeedHandler<Ball>&, long, const StopRequest&);   \
+  template CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>&, const KnownPlaces&,     \
                                                 const StopRequest&);
 
 EXSECT_INSTANTIATE_SELF_SEARCH(DoubleBall)

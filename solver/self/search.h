@@ -10,12 +10,6 @@
 
 namespace exsect {
 
-struct ChartSearchOutcome {
-  /// Boxes that may hold points of the curve which are not known. Empty: the search is complete.
-  std::vector<ChartBox> undecided;
-  long boxes = 0;
-};
-
 /// Asked about an enclosed point of the curve: true if the connected curve through it leaves the domain or is
 /// known by now (the callee may trace it), false if that could not be settled.
 template <class Ball>
@@ -30,10 +24,9 @@ using ChartSeedHandler = std::function<bool(const BallPoint<Ball>&)>;
 /// the chart: together the searches of both charts prove that there is no further closed curve if they are
 /// along the same c).
 template <class Ball>
-ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownPlaces& places,
-                                const std::vector<ChartBox>& roots, const std::array<double, 2>& direction,
-                                const ChartSeedHandler<Ball>& known, long most_boxes,
-                                const StopRequest& stop);
+SearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownPlaces& places,
+                           const std::vector<ChartBox>& roots, const std::array<double, 2>& direction,
+                           const ChartSeedHandler<Ball>& known, long most_boxes, const StopRequest& stop);
 
 /// A cuspidal point: H = 0 with w = 0. The tube has axis w; the point is the only one with w = 0 in it.
 template <class Ball>

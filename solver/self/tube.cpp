@@ -226,9 +226,8 @@ BallVector<Ball> value_at(const ChartNet<Ball, W>& net, const BallPoint<Ball>& o
 }  // namespace
 
 template <class Ball>
-std::optional<ChartTube<Ball>> certify_chart_tube(const ChartSystem<Ball>& system,
-                                                  const BallPoint<Ball>& centre, std::size_t axis,
-                                                  double reach, double least_halfwidth) {
+std::optional<ChartTube<Ball>> certify_tube(const ChartSystem<Ball>& system, const BallPoint<Ball>& centre,
+                                            std::size_t axis, double reach, double least_halfwidth) {
   ChartTube<Ball> tube;
   tube.axis = axis;
   tube.reach = reach;
@@ -350,8 +349,8 @@ BallVector<Ball> space_point(const ChartSystem<Ball>& system, const BallPoint<Ba
 }
 
 #define EXSECT_INSTANTIATE_CHART_TUBE(Ball)                                                                  \
-  template std::optional<ChartTube<Ball>> certify_chart_tube(                                                \
-      const ChartSystem<Ball>&, const BallPoint<Ball>&, std::size_t, double, double);                        \
+  template std::optional<ChartTube<Ball>> certify_tube(const ChartSystem<Ball>&, const BallPoint<Ball>&,     \
+                                                       std::size_t, double, double);                         \
   template std::optional<BallPoint<Ball>> newton_corrected(const ChartSystem<Ball>&, const BallPoint<Ball>&, \
                                                            std::size_t, int);                                \
   template BallPoint<Ball> point_at(const ChartTube<Ball>&, double);                                         \

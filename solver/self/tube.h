@@ -8,7 +8,7 @@
 
 namespace exsect {
 
-/// Invariant (proved by certify_chart_tube): for every tau in [-reach, reach] there is exactly one point z of
+/// Invariant (proved by certify_tube): for every tau in [-reach, reach] there is exactly one point z of
 /// the curve H = 0 with z_k = p_k + tau and |z_i - p_i - tau d_i| <= halfwidth for i != k; the three columns
 /// other than k of the Jacobian are independent on the whole region. p centre, k axis, d slope (d_k = 1).
 template <class Ball>
@@ -30,9 +30,8 @@ struct ChartTube {
 /// The tube around `centre` (its midpoints are used) over tau in [-reach, reach], half width at least
 /// `least_halfwidth`; empty if it cannot be proved with these numbers.
 template <class Ball>
-std::optional<ChartTube<Ball>> certify_chart_tube(const ChartSystem<Ball>& system,
-                                                  const BallPoint<Ball>& centre, std::size_t axis,
-                                                  double reach, double least_halfwidth);
+std::optional<ChartTube<Ball>> certify_tube(const ChartSystem<Ball>& system, const BallPoint<Ball>& centre,
+                                            std::size_t axis, double reach, double least_halfwidth);
 
 /// Approximate Newton correction of the coordinates other than `axis` towards H = 0 (an estimate, not a
 /// proof); empty if the columns are numerically dependent.

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "trace/covering_tube.h"
 #include "trace/subdivision_cell.h"
 #include "trace/tube_points.h"
 
@@ -25,6 +26,8 @@ template <long Bits>
 inline constexpr long kMostBoxes<ArbBall<Bits>> = Bits > 256 ? 1000 : 10000;
 constexpr int kFirstCertificateDepth = 4;
 constexpr int kDeepest = 24;  // halvings of either cell
+/// By the size of a box: a curve that is found farther away is not in it.
+constexpr double kFarFromBox = 2;
 
 template <class Ball>
 bool separated_along(const Cell<Ball>& a, const Cell<Ball>& b, const std::array<double, 3>& n) {
@@ -90,35 +93,33 @@ class Search {
            {region.upper[2], region.upper[3]}) {}
 
   SearchOutcome run() {
-    // Breadth first: what is left when the budget ends are small boxes around the difficult places.
-    std::deque<std::pair<Cell<Ball>*, Cell<Ball>*>> waiting = {{&x_.root(), &y_.root()}};
-    const std::size_t most_waiting = settled_ ? kMostWaitingOnSurface : kMostWaiting;
-    while (!waiting.empty()) {
-      auto [a, b] = waiting.front();
-      waiting.pop_front();
-      ++outcome_.boxes;
-      if (separated(*a, *b) || tangent_cannot_vanish(*a, *b, direction_) || is_settled(*a, *b) ||
-          covered(*a, *b)) {
-        continue;
-      }
-      const bool stopped = outcome_.boxes > kMostBoxes<Ball> || waiting.size() > most_waiting ||
-                           (outcome_.boxes % (settled_ ? 8 : 64) == 0 && is_stopped(stop_));
-      const bool first = a->size >= b->size;
-      const bool deepest = (first ? a : b)->depth >= kDeepest;
-      if (stopped || deepest || !(first ? x_.split(*a) : y_.split(*b))) {
-        outcome_.undecided.push_back(region_of(*a, *b));
-        if (stopped) {
-          give_up(waiting);
-        }
-        continue;
-      }
-      for (Cell<Ball>* child : first ? a->children : b->children) {
-        if (child != nullptr) {
-          waiting.emplace_back(first ? child : a, first ? b : child);
-        }
-      }
+    return search_breadth_first(
+        *this, {{&x_.root(), &y_.root()}},
+        {kMostBoxes<Ball>, settled_ ? kMostWaitingOnSurface : kMostWaiting, settled_ ? 8 : 64}, stop_);
+  }
+
+  using Cell = std::pair<subdivision::Cell<Ball>*, subdivision::Cell<Ball>*>;
+
+  bool is_done(const Cell& cell) const {
+    const auto& [a, b] = cell;
+    return separated(*a, *b) || tangent_cannot_vanish(*a, *b, direction_) || is_settled(cell) ||
+           is_covered(cell);
+  }
+
+  bool split(const Cell& cell, std::deque<Cell>& waiting) {
+    const auto& [a, b] = cell;
+    const bool first = a->size >= b->size;
+    if ((first ? a : b)->depth >= kDeepest || !(first ? x_.split(*a) : y_.split(*b))) return false;
+    for (subdivision::Cell<Ball>* child : first ? a->children : b->children) {
+      if (child != nullptr) waiting.emplace_back(first ? child : a, first ? b : child);
     }
-    return std::move(outcome_);
+    return true;
+  }
+
+  static SearchRegion region_of(const Cell& cell) {
+    const auto& [a, b] = cell;
+    return {{a->lower[0], a->lower[1], b->lower[0], b->lower[1]},
+            {a->upper[0], a->upper[1], b->upper[0], b->upper[1]}};
   }
 
  private:
@@ -129,76 +130,21 @@ class Search {
     return {Ball(region.lower[0]), Ball(region.lower[1]), Ball(region.lower[2]), Ball(region.lower[3])};
   }
 
-  static SearchRegion region_of(const Cell<Ball>& a, const Cell<Ball>& b) {
-    return {{a.lower[0], a.lower[1], b.lower[0], b.lower[1]},
-            {a.upper[0], a.upper[1], b.upper[0], b.upper[1]}};
-  }
+  static int depth(const Cell& cell) { return cell.first->depth + cell.second->depth; }
 
-  void give_up(std::deque<std::pair<Cell<Ball>*, Cell<Ball>*>>& waiting) {
-    for (const auto& [a, b] : waiting) {
-      outcome_.undecided.push_back(region_of(*a, *b));
-    }
-    waiting.clear();
-  }
-
-  bool is_settled(const Cell<Ball>& a, const Cell<Ball>& b) const {
-    return settled_ && a.depth + b.depth >= kFirstCertificateDepth && settled_(region_of(a, b));
+  bool is_settled(const Cell& cell) const {
+    return settled_ && depth(cell) >= kFirstCertificateDepth && settled_(region_of(cell));
   }
 
   /// A tube whose region contains the whole box, and whose arc is outside the domain somewhere, which traced
   /// curves alone are, or on a known curve.
-  bool covered(const Cell<Ball>& a, const Cell<Ball>& b) const {
-    if (a.depth + b.depth < kFirstCertificateDepth || !some_tangent_component_cannot_vanish(a, b)) {
+  bool is_covered(const Cell& cell) const {
+    if (depth(cell) < kFirstCertificateDepth ||
+        !some_tangent_component_cannot_vanish(*cell.first, *cell.second)) {
       return false;
     }
-    const SearchRegion box = region_of(a, b);
-    BallPoint<Ball> centre;
-    std::array<double, 4> half{};
-    for (std::size_t j = 0; j < 4; ++j) {
-      centre[j] = Ball(0.5 * (box.lower[j] + box.upper[j]));
-      half[j] = 0.5 * (box.upper[j] - box.lower[j]) * kSlack;
-    }
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_, centre).tangent();
-    std::size_t axis = 0;
-    for (std::size_t j = 1; j < 4; ++j) {
-      if (std::fabs(tangent[j].approximation()) > std::fabs(tangent[axis].approximation())) {
-        axis = j;
-      }
-    }
-    const auto start = newton_corrected(system_, centre, axis, 3);
-    if (!start) {
-      return false;
-    }
-    double needed = 0;
-    for (std::size_t j = 0; j < 4; ++j) {
-      const double distance = ((*start)[j] - centre[j]).upper_magnitude();
-      const double rise = std::fabs(tangent[j].approximation() / tangent[axis].approximation()) * half[axis];
-      if (distance > 2 * (half[j] + rise)) {
-        return false;  // the curve is not in the box
-      }
-      if (j != axis) {
-        needed = std::max(needed, distance + half[j] + 1.01 * rise);
-      }
-    }
-    const auto tube = certify_tube(system_, *start, axis, half[axis] * 1.01, needed * 1.01);
-    if (!tube || !contains_region(*tube, centre, half)) {
-      return false;
-    }
-    return settled(*tube);
-  }
-
-  static bool contains_region(const Tube<Ball>& tube, const BallPoint<Ball>& centre,
-                              const std::array<double, 4>& half) {
-    BallPoint<Ball> box;
-    for (std::size_t j = 0; j < 4; ++j) {
-      box[j] = centre[j].widened(half[j]);
-    }
-    return contains(tube, box);
-  }
-
-  bool settled(const Tube<Ball>& tube) const {
-    return std::ranges::any_of(std::array{0.0, -tube.reach, tube.reach},
-                               [&](double tau) { return known_(point_at(tube, tau)); });
+    const auto tube = covering_tube(system_, region_of(cell), std::nullopt, kFarFromBox);
+    return tube && is_arc_known(*tube, known_);
   }
 
   const PairSystem<Ball>& system_;
@@ -208,7 +154,6 @@ class Search {
   const StopRequest& stop_;
   CellTree<Ball> x_;
   CellTree<Ball> y_;
-  SearchOutcome outcome_;
 };
 
 }  // namespace

@@ -5,21 +5,10 @@
 #include <functional>
 #include <vector>
 
+#include "trace/breadth_first.h"
 #include "trace/tracer.h"
 
 namespace exsect {
-
-/// Rectangles of the two parameter squares: u, v, r, s with double ends.
-struct SearchRegion {
-  std::array<double, 4> lower;
-  std::array<double, 4> upper;
-};
-
-struct SearchOutcome {
-  /// Boxes that may hold intersection points on no known curve. Empty: the search is complete.
-  std::vector<SearchRegion> undecided;
-  long boxes = 0;
-};
 
 /// What the search asks about a curve point it found: true if it is outside the domain or on a curve known by
 /// now (the callee may trace a new one), false if that could not be settled.

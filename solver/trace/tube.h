@@ -21,6 +21,12 @@ std::size_t steepest_axis(const BallPoint<Ball>& tangent) {
   return axis;
 }
 
+/// T at a point.
+template <class Ball>
+BallPoint<Ball> tangent_at(const PairSystem<Ball>& system, const BallPoint<Ball>& p) {
+  return Expansion<Ball>(system, p).tangent();
+}
+
 /// The tube around `centre` (its midpoints are used) over tau in [-reach, reach], half widths at least
 /// `least_halfwidth`; empty if it cannot be proved with these numbers.
 template <class Ball>

@@ -109,7 +109,7 @@ TEST_CASE("chart tubes: points on the tube solve H = 0, one for every offset") {
     const ChartSystem<DoubleBall> system(random_patch(seed), {0, 0, 0}, 0, Chart::first);
     const auto start = newton_corrected(system, random_point(generator), 3, 20);
     if (!start) continue;
-    const auto tube = certify_chart_tube(system, *start, 3, 1e-3, 1e-9);
+    const auto tube = certify_tube(system, *start, 3, 1e-3, 1e-9);
     if (!tube) continue;
     ++certified;
     for (const double tau : {-9e-4, 0.0, 7e-4}) {

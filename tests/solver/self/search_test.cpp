@@ -22,12 +22,12 @@ TEST_CASE("chart search: the direction is in terms of u and v in both charts") {
       return search_chart<DoubleBall>(chart, KnownPlaces({}), {whole_chart}, direction, nothing_known, 600,
                                       {});
     };
-    const ChartSearchOutcome a = search(second, {1, 0.375});
-    const ChartSearchOutcome b = search(of_exchanged, {0.375, 1});
+    const SearchOutcome a = search(second, {1, 0.375});
+    const SearchOutcome b = search(of_exchanged, {0.375, 1});
     // The two systems are the same, of the same patch with the parameters exchanged.
     CHECK(a.boxes == b.boxes);
     CHECK(a.undecided.size() == b.undecided.size());
-    const ChartSearchOutcome other = search(of_exchanged, {1, 0.375});
+    const SearchOutcome other = search(of_exchanged, {1, 0.375});
     if (other.boxes != b.boxes || other.undecided.size() != b.undecided.size()) ++depends_on_direction;
   }
   CHECK(depends_on_direction > 0);
