@@ -1,5 +1,6 @@
 #include "filter/algebraic_meeting.h"
 
+#include <exsect/algebra/common_field.h>
 #include <exsect/algebra/resultant.h>
 #include <exsect/algebra/triangular_point.h>
 
@@ -15,6 +16,9 @@ using AlongVector = std::array<BivariatePolynomial, 4>;
 /// How near the point has to be to the place, and the widths of its intervals.
 constexpr long kMeetingRoom = 36;
 constexpr long kMeetingBits = 54;
+/// By so many digits numbers are told, of fields of no higher degree.
+constexpr int kDigitsOfField = 320;
+constexpr int kMostMeetingDegree = 8;
 
 /// Homogeneous coordinates and their derivatives on a side as polynomials in one variable, which is the free
 /// parameter; constants in a corner.
@@ -88,6 +92,36 @@ std::optional<TriangularPoint> common_zero(const std::array<BivariatePolynomial,
   return std::nullopt;
 }
 
+FieldNumber value_at(const BivariatePolynomial& f, const FieldNumber& r, const FieldNumber& s) {
+  FieldNumber sum = 0;
+  for (int i = f.degree_r(); i >= 0; --i) {
+    const Polynomial in_s = f.coefficient(i);
+    FieldNumber coefficient = 0;
+    for (int j = in_s.degree(); j >= 0; --j) coefficient = coefficient * s + in_s.coefficient(j);
+    sum = sum * r + coefficient;
+  }
+  return sum;
+}
+
+bool lies_in(const FieldNumber& a, const RationalInterval& interval) {
+  const RationalInterval at = enclosure(a, 2 * kMeetingBits);
+  return interval.lower <= at.lower && at.upper <= interval.upper;
+}
+
+/// (r,s) in one field. The intervals of the point isolate it from other zeros of the equations.
+std::optional<std::array<FieldNumber, 2>> in_field(const TriangularPoint& point,
+                                                   const std::array<BivariatePolynomial, 6>& equations) {
+  const TriangularPoint near = point.refined_to(power_of_two(-kDigitsOfField - 2));
+  const auto numbers = recognised_in_field({near.r_interval().midpoint(), near.s().interval().midpoint()},
+                                           kDigitsOfField, kMostMeetingDegree);
+  if (!numbers) return std::nullopt;
+  const FieldNumber &r = (*numbers)[0], &s = (*numbers)[1];
+  const bool is_zero =
+      std::ranges::all_of(equations, [&](const auto& f) { return value_at(f, r, s).is_zero(); });
+  if (!is_zero || !lies_in(r, point.r_interval()) || !lies_in(s, point.s().interval())) return std::nullopt;
+  return std::array{r, s};
+}
+
 }  // namespace
 
 std::optional<ExactMeeting> algebraic_meeting(const RationalPatch& x, const RationalPatch& y,
@@ -99,14 +133,15 @@ std::optional<ExactMeeting> algebraic_meeting(const RationalPatch& x, const Rati
     if (meeting) {
       std::rotate(meeting->at.begin(), meeting->at.begin() + 2, meeting->at.end());
       std::rotate(meeting->still.begin(), meeting->still.begin() + 2, meeting->still.end());
+      if (auto& exact = meeting->exact) std::rotate(exact->begin(), exact->begin() + 2, exact->end());
     }
     return meeting;
   }
   if ((on[0] == 0 && on[1] == 0) || (on[2] != 0) == (on[3] != 0)) return std::nullopt;
   const std::size_t along_x = on[0] != 0 ? 1 : 0, along_y = on[2] != 0 ? 3 : 2;
   const AlongSide a(x, {on[0], on[1]}, true), b(y, {on[2], on[3]}, false);
-  const auto point =
-      common_zero(minors_along(a.value, b.value), !is_corner_of_x, {place[along_x], place[along_y]});
+  const auto equations = minors_along(a.value, b.value);
+  const auto point = common_zero(equations, !is_corner_of_x, {place[along_x], place[along_y]});
   if (!point) return std::nullopt;
   const auto is_zero = [&](const BivariatePolynomial& f) { return sign_at(f, *point) == 0; };
   ExactMeeting result{on, 2 * kUnit, {}};
@@ -121,6 +156,13 @@ std::optional<ExactMeeting> algebraic_meeting(const RationalPatch& x, const Rati
         is_zero(determinant_along(a.value, a.derivative[1 - i], b.derivative[0], b.derivative[1]));
     result.still[2 + i] =
         is_zero(determinant_along(a.value, b.derivative[1 - i], a.derivative[0], a.derivative[1]));
+  }
+  const bool is_still = std::ranges::any_of(result.still, [](bool still) { return still; });
+  if (const auto numbers = is_still ? in_field(*point, equations) : std::nullopt) {
+    std::array<FieldNumber, 4>& exact = result.exact.emplace();
+    for (std::size_t j = 0; j < 4; ++j) exact[j] = on[j] > 0 ? 1 : 0;
+    if (!is_corner_of_x) exact[along_x] = (*numbers)[0];
+    exact[along_y] = (*numbers)[1];
   }
   return result;
 }

@@ -22,8 +22,21 @@ using Triple = std::array<Number, 3>;
 template <class Number>
 using Coordinates = std::array<Terms<Number>, 4>;
 
+constexpr long kEnclosedBits = 60;
+DoubleBall ball_around_number(const FieldNumber& a) {
+  return a.is_rational() ? DoubleBall::enclosing(a.rational())
+                         : DoubleBall::enclosing(enclosure(a, kEnclosedBits));
+}
+
+FieldNumber field_dot(const Triple<FieldNumber>& a, const Triple<FieldNumber>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Triple<FieldNumber> field_cross(const Triple<FieldNumber>& a, const Triple<FieldNumber>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 template <class Number>
-Terms<Number> constant_terms(double value, std::size_t most) {
+Terms<Number> constant_terms(int value, std::size_t most) {
   Terms<Number> result(most + 1, Number(0));
   result[0] = Number(value);
   return result;
@@ -84,29 +97,29 @@ Triple<Terms<Number>> difference_along(const Taylor<Number>& x, const Taylor<Num
 
 /// Homogeneous, about the point of space that the patch has at (u,v).
 template <class K>
-Taylor<Rational> about_own_point(const ExactPatch<K>& patch, const Rational& u, const Rational& v) {
-  const ExactTaylor<K> taylor = exact_taylor<K, Rational>(patch, u, v);
-  Taylor<Rational> result(K::count);
+Taylor<FieldNumber> about_own_point(const ExactPatch<K>& patch, const FieldNumber& u, const FieldNumber& v) {
+  const auto taylor = exact_taylor<K, FieldNumber>(patch, u, v);
+  Taylor<FieldNumber> result(K::count);
   for (std::size_t k = 0; k < K::count; ++k) {
     result[k][3] = k == 0 ? 1 : 0;
     std::copy(taylor[k].begin(), taylor[k].end(), result[k].begin());
   }
   for (std::size_t row = 0; row < 3; ++row) {
-    const Rational coordinate = result[0][row] / result[0][3];
+    const FieldNumber coordinate = result[0][row] / result[0][3];
     for (auto& c : result) c[row] -= coordinate * c[3];
   }
   return result;
 }
 
-Taylor<DoubleBall> enclosed(const Taylor<Rational>& exact) {
+Taylor<DoubleBall> enclosed(const Taylor<FieldNumber>& exact) {
   Taylor<DoubleBall> c(exact.size());
   for (std::size_t k = 0; k < c.size(); ++k)
-    for (std::size_t row = 0; row < 4; ++row) c[k][row] = DoubleBall::enclosing(exact[k][row]);
+    for (std::size_t row = 0; row < 4; ++row) c[k][row] = ball_around_number(exact[k][row]);
   return c;
 }
 
 /// About all places with |h| <= room_h, |k| <= room_k at once, by repeated synthetic division.
-Taylor<DoubleBall> shifted(const Taylor<Rational>& exact, std::size_t side, double room_h, double room_k) {
+Taylor<DoubleBall> shifted(const Taylor<FieldNumber>& exact, std::size_t side, double room_h, double room_k) {
   Taylor<DoubleBall> c = enclosed(exact);
   const auto shift = [&](std::size_t first, std::size_t step, const DoubleBall& t) {
     for (std::size_t level = 0; level + 1 < side; ++level)
@@ -120,16 +133,16 @@ Taylor<DoubleBall> shifted(const Taylor<Rational>& exact, std::size_t side, doub
 }
 
 /// Rows that are dual to the columns other than that of the axis; false if there are none.
-bool invert_exactly(const std::array<Triple<Rational>, 4>& all, std::size_t axis,
-                    std::array<Triple<Rational>, 3>& rows) {
-  const auto column = [&](std::size_t i) -> const Triple<Rational>& {
+bool invert_exactly(const std::array<Triple<FieldNumber>, 4>& all, std::size_t axis,
+                    std::array<Triple<FieldNumber>, 3>& rows) {
+  const auto column = [&](std::size_t i) -> const Triple<FieldNumber>& {
     return all[i % 3 < axis ? i % 3 : i % 3 + 1];
   };
-  for (std::size_t i = 0; i < 3; ++i) rows[i] = exsect::cross(column(i + 1), column(i + 2));
-  const Rational determinant = exsect::dot(rows[0], column(0));
-  if (determinant == 0) return false;
-  for (Triple<Rational>& row : rows)
-    for (Rational& c : row) c /= determinant;
+  for (std::size_t i = 0; i < 3; ++i) rows[i] = field_cross(column(i + 1), column(i + 2));
+  const FieldNumber determinant = field_dot(rows[0], column(0));
+  if (determinant.is_zero()) return false;
+  for (Triple<FieldNumber>& row : rows)
+    for (FieldNumber& c : row) c /= determinant;
   return true;
 }
 
@@ -141,10 +154,10 @@ struct BoxBounds {
 };
 
 BoxBounds bounds_in(const Taylor<DoubleBall>& x, const Taylor<DoubleBall>& y, std::size_t side,
-                    const std::array<Triple<Rational>, 3>& inverse, std::size_t axis) {
+                    const std::array<Triple<FieldNumber>, 3>& inverse, std::size_t axis) {
   const auto times = [&](std::size_t row, const Triple<DoubleBall>& v) {
     DoubleBall sum(0);
-    for (std::size_t k = 0; k < 3; ++k) sum += DoubleBall::enclosing(inverse[row][k]) * v[k];
+    for (std::size_t k = 0; k < 3; ++k) sum += ball_around_number(inverse[row][k]) * v[k];
     return sum;
   };
   const auto first = columns_at_zero(x, y, side);
@@ -168,13 +181,13 @@ BoxBounds bounds_in(const Taylor<DoubleBall>& x, const Taylor<DoubleBall>& y, st
   return result;
 }
 
-double size_of_term(const Rational& q) { return DoubleBall::enclosing(q).upper_magnitude(); }
+double size_of_term(const FieldNumber& q) { return ball_around_number(q).upper_magnitude(); }
 
 }  // namespace
 
 template <class K>
 std::optional<CurveSeries> CurveSeries::about(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                              const std::array<Rational, 4>& p, std::size_t axis) {
+                                              const std::array<FieldNumber, 4>& p, std::size_t axis) {
   CurveSeries series;
   series.axis_ = axis;
   series.side_ = K::side;
@@ -187,7 +200,7 @@ std::optional<CurveSeries> CurveSeries::about(const ExactPatch<K>& x, const Exac
     for (std::size_t j = 0; j < 4; ++j) series.terms_[j].push_back(m == 1 && j == axis ? 1 : 0);
     const auto g = difference_along(series.x_, series.y_, K::side, series.terms_, m);
     for (std::size_t k = 0; k < 3; ++k)
-      series.terms_[k < axis ? k : k + 1][m] = -exsect::dot(series.inverse_[k], {g[0][m], g[1][m], g[2][m]});
+      series.terms_[k < axis ? k : k + 1][m] = -field_dot(series.inverse_[k], {g[0][m], g[1][m], g[2][m]});
   }
   series.bound_rest();
   return series;
@@ -201,14 +214,14 @@ bool CurveSeries::is_complete() const {
 void CurveSeries::bound_rest() {
   std::array<Terms<DoubleBall>, 4> w;
   for (std::size_t j = 0; j < 4; ++j)
-    for (const Rational& c : terms_[j]) w[j].push_back(DoubleBall::enclosing(c));
+    for (const FieldNumber& c : terms_[j]) w[j].push_back(ball_around_number(c));
   const std::size_t known = terms_[0].size(), most = 4 * (side_ - 1) * (known - 1);
   const auto g = difference_along(enclosed(x_), enclosed(y_), side_, w, most);
   for (std::size_t m = known; m <= most; ++m) {
     double size = 0;
-    for (const Triple<Rational>& row : inverse_) {
+    for (const Triple<FieldNumber>& row : inverse_) {
       DoubleBall sum(0);
-      for (std::size_t k = 0; k < 3; ++k) sum += DoubleBall::enclosing(row[k]) * g[k][m];
+      for (std::size_t k = 0; k < 3; ++k) sum += ball_around_number(row[k]) * g[k][m];
       size = larger_bound(size, sum.upper_magnitude());
     }
     rest_.push_back(size);
@@ -216,8 +229,8 @@ void CurveSeries::bound_rest() {
 }
 
 std::size_t CurveSeries::order(std::size_t j) const {
-  const Terms<Rational>& w = terms_[j];
-  const auto first = std::find_if(w.begin() + 1, w.end(), [](const Rational& c) { return c != 0; });
+  const Terms<FieldNumber>& w = terms_[j];
+  const auto first = std::find_if(w.begin() + 1, w.end(), [](const FieldNumber& c) { return !c.is_zero(); });
   return first == w.end() ? 0 : static_cast<std::size_t>(first - w.begin());
 }
 
@@ -252,14 +265,14 @@ int CurveSeries::sign_beside(const std::array<double, 4>& room, double reach, st
   }
   const double factor = kSlack / (1 - box.contraction);
   const double error = kSlack * factor * (slope + box.bend * factor * value * speed);
-  const DoubleBall first = DoubleBall(static_cast<double>(m)) * DoubleBall::enclosing(terms_[j][m]);
+  const DoubleBall first = DoubleBall(static_cast<double>(m)) * ball_around_number(terms_[j][m]);
   const double others = kSlack * (reach * size_of_change(j, reach, m + 1) + error) + kTiny;
   return box.contraction < 1 ? first.widened(others).certain_sign() : 0;
 }
 
 #define EXSECT_INSTANTIATE(K)                                                                           \
   template std::optional<CurveSeries> CurveSeries::about<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
-                                                            const std::array<Rational, 4>&, std::size_t);
+                                                            const std::array<FieldNumber, 4>&, std::size_t);
 EXSECT_INSTANTIATE(Bicubic)
 EXSECT_INSTANTIATE(WeightedBiquadratic)
 EXSECT_INSTANTIATE(WeightedBicubic)

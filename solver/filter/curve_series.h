@@ -2,6 +2,8 @@
 // section 14.12.
 #pragma once
 
+#include <exsect/algebra/real_field.h>
+
 #include <optional>
 #include <vector>
 
@@ -24,10 +26,10 @@ class CurveSeries {
   using Taylor = std::vector<std::array<Number, 4>>;
 
   /// Empty if the derivatives of x - y by the parameters other than `axis` are dependent at p. Requires x = y
-  /// there.
+  /// there, numbers of one field.
   template <class K>
   static std::optional<CurveSeries> about(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                          const std::array<Rational, 4>& p, std::size_t axis);
+                                          const std::array<FieldNumber, 4>& p, std::size_t axis);
 
   /// The least m > 0 with a term tau^m in w_j; 0 if there is none up to kMostSeriesOrder.
   std::size_t order(std::size_t j) const;
@@ -44,10 +46,10 @@ class CurveSeries {
 
   std::size_t axis_ = 0;
   std::size_t side_ = 0;
-  Taylor<Rational> x_, y_;  // the point of space at p as origin
-  std::array<std::array<Rational, 3>, 3> inverse_;
-  std::array<Terms<Rational>, 4> terms_;  // up to one power
-  std::vector<double> rest_;              // of C G along these terms, from the next power
+  Taylor<FieldNumber> x_, y_;  // the point of space at p as origin
+  std::array<std::array<FieldNumber, 3>, 3> inverse_;
+  std::array<Terms<FieldNumber>, 4> terms_;  // up to one power
+  std::vector<double> rest_;                 // of C G along these terms, from the next power
 };
 
 }  // namespace exsect::filter

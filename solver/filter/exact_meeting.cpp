@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "filter/algebraic_meeting.h"
 #include "filter/homogeneous.h"
 
 namespace exsect::filter {
@@ -33,7 +32,7 @@ std::optional<ExactMeeting> meeting_in_simple_numbers(const ExactPatch<K>& x, co
   const FirstOrder<K> a(x, w[0], w[1]);
   const FirstOrder<K> b(y, w[2], w[3]);
   if (!is_same_point(a.value, b.value)) return std::nullopt;
-  result.exact = w;
+  result.exact = {w[0], w[1], w[2], w[3]};
   // (14.31) without the factor: the derivatives modulo the point.
   for (std::size_t i = 0; i < 2; ++i) {
     result.still[i] = determinant(a.value, a.derivative[1 - i], b.derivative[0], b.derivative[1]) == 0;
@@ -199,8 +198,7 @@ template <class K>
 std::optional<ExactMeeting> exact_meeting(const ExactPatch<K>& x, const ExactPatch<K>& y, const Vec4& place,
                                           const Vec4& on) {
   if (auto simple = meeting_in_simple_numbers<K>(x, y, place, on)) return simple;
-  if (auto in_plane = meeting_in_plane<K>(x, y, place, on)) return in_plane;
-  return algebraic_meeting(rational_patch(x), rational_patch(y), place, on);
+  return meeting_in_plane<K>(x, y, place, on);
 }
 
 #define EXSECT_INSTANTIATE(K)                                                                       \

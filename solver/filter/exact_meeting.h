@@ -2,6 +2,8 @@
 // docs/method-doubles.md, section 14.12.
 #pragma once
 
+#include <exsect/algebra/real_field.h>
+
 #include <array>
 #include <optional>
 
@@ -16,12 +18,12 @@ struct ExactMeeting {
   Vec4 at;
   double radius;
   std::array<bool, 4> still;
-  std::optional<std::array<Rational, 4>> exact = std::nullopt;  // in [0,1], if they are known to be rational
+  std::optional<std::array<FieldNumber, 4>> exact = std::nullopt;  // in [0,1], if they are known
 };
 
 /// The solution near a place (centred) that has the parameters with on[j] != 0 at these sides, 1/2 or -1/2,
-/// if the other ones are simple rational numbers, there is one side of each patch and both lie in one
-/// plane, or it is an algebraic_meeting. Empty if none of these proves that there is one.
+/// if the other ones are simple rational numbers, or there is one side of each patch and both lie in one
+/// plane. Empty if neither of these proves that there is one.
 template <class K>
 std::optional<ExactMeeting> exact_meeting(const ExactPatch<K>& x, const ExactPatch<K>& y, const Vec4& place,
                                           const Vec4& on);

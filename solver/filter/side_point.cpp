@@ -6,6 +6,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "filter/algebraic_meeting.h"
 #include "filter/curve_series.h"
 #include "filter/exact_meeting.h"
 #include "filter/tube_derivatives.h"
@@ -167,6 +168,17 @@ class SidePointProof {
   std::optional<CurveSeries> series_;
 };
 
+/// The one at a solution on these sides.
+template <class K>
+std::optional<SidePointOf<K>> side_point_at(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                            const PairOf<K>& pair, const Vec4& on,
+                                            const ExactMeeting& meeting) {
+  const auto ball = ball_around<K>(pair, meeting);
+  if (!ball || !(ball->radius < 0.25 * kEndMargin<K::width>)) return std::nullopt;
+  SidePointOf<K> point{*ball, on, {}, false, 0, meeting.still};
+  return SidePointProof<K>(x, y, pair, meeting, point).run() ? std::optional(point) : std::nullopt;
+}
+
 }  // namespace
 
 template <class K>
@@ -181,11 +193,10 @@ std::optional<SidePointOf<K>> side_point_near([[maybe_unused]] const ExactPatch<
     const Vec4 on = sides_near<K>(pair, near);
     if (on == Vec4{}) return std::nullopt;
     const auto meeting = exact_meeting<K>(x, y, near, on);
-    if (!meeting) return std::nullopt;
-    const auto ball = ball_around<K>(pair, *meeting);
-    if (!ball || !(ball->radius < 0.25 * kEndMargin<K::width>)) return std::nullopt;
-    SidePointOf<K> point{*ball, on, {}, false, 0, meeting->still};
-    return SidePointProof<K>(x, y, pair, *meeting, point).run() ? std::optional(point) : std::nullopt;
+    auto point = meeting ? side_point_at(x, y, pair, on, *meeting) : std::nullopt;
+    if (point || (meeting && meeting->exact)) return point;
+    const auto algebraic = algebraic_meeting(rational_patch(x), rational_patch(y), near, on);
+    return algebraic ? side_point_at(x, y, pair, on, *algebraic) : std::nullopt;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "support/catch.h"
+#include "support/power_nets.h"
 
 namespace exsect::algebraic_meeting_test {
 namespace {
@@ -65,6 +66,7 @@ TEST_CASE("algebraic meeting: a corner on a side, at 2 - √3", "[algebraic_meet
   CHECK(meeting->at[2] == -0.5);
   CHECK(meeting->at[3] == -0.5);
   CHECK(meeting->still == std::array<bool, 4>{false, false, false, false});
+  CHECK_FALSE(meeting->exact);  // nobody asks for it
   // The curve that ends there, or passes outside.
   const IntersectResult result = intersect(flat, other);
   CHECK(result.status == Status::complete);
@@ -104,6 +106,35 @@ TEST_CASE("algebraic meeting: sides that are not in one plane meet", "[algebraic
   CHECK_FALSE(algebraic_meeting(x, y, {-0.5, 0, 0, 0}, {-0.5, 0, 0, 0}));
   CHECK_FALSE(algebraic_meeting(x, y, {-0.5, -0.5, 0, 0}, {-0.5, -0.5, 0, 0}));
   CHECK_FALSE(algebraic_meeting(x, x, {-0.5, 0.1, -0.5, 0.1}, {-0.5, 0, -0.5, 0}));  // a common side
+}
+
+TEST_CASE("algebraic meeting: its parameters in a field where the curve touches a side",
+          "[algebraic_meeting]") {
+  // (u, v, 0) and (r, s^3 + t (s - p), s - p), p = r^2 - 1/2: v = s^3 at s = p, all 0 for r = 1/√2.
+  using testing::Terms;
+  const Rational t(3, 7), half(1, 2);
+  const Terms p = {{{0, 1}, 1}, {{2, 0}, -1}, {{0, 0}, half}};
+  const Terms second = {{{0, 3}, 1}, {{0, 1}, t}, {{2, 0}, -t}, {{0, 0}, t * half}};
+  const RationalPatch x = testing::power_patch({Terms{{{1, 0}, 1}}, Terms{{{0, 1}, 1}}, Terms{}}, 1);
+  const RationalPatch y = testing::power_patch({Terms{{{1, 0}, 1}}, second, p}, 3);
+  const double root = std::sqrt(0.5) - 0.5;
+  for (const bool exchanged : {false, true}) {
+    INFO("exchanged " << exchanged);
+    const auto meeting = exchanged ? algebraic_meeting(y, x, {root, -0.5, root, -0.5}, {0, -0.5, 0, -0.5})
+                                   : algebraic_meeting(x, y, {root, -0.5, root, -0.5}, {0, -0.5, 0, -0.5});
+    REQUIRE(meeting);
+    const std::size_t v = exchanged ? 3 : 1, s = exchanged ? 1 : 3;
+    CHECK(meeting->still[v]);
+    CHECK_FALSE(meeting->still[s]);
+    REQUIRE(meeting->exact);
+    for (const std::size_t j : {0, 2}) {
+      const FieldNumber& w = (*meeting->exact)[j];
+      CHECK(2 * w * w == FieldNumber(1));
+      CHECK(sign(w) > 0);
+    }
+    CHECK((*meeting->exact)[v].is_zero());
+    CHECK((*meeting->exact)[s].is_zero());
+  }
 }
 
 }  // namespace exsect::algebraic_meeting_test

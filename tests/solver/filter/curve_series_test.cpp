@@ -13,7 +13,7 @@ namespace {
 using namespace filter;  // NOLINT(google-build-using-namespace): kinds
 using testing::Terms;
 
-const std::array<Rational, 4> kOrigin = {0, 0, 0, 0};
+const std::array<FieldNumber, 4> kOrigin = {0, 0, 0, 0};
 
 struct Pair {
   RationalPatch x, y;
@@ -66,6 +66,28 @@ void check_orders(std::uint64_t seed) {
 TEST_CASE("curve series: orders and signs of curves that are known, of every kind", "[filter]") {
   check_orders<Bicubic>(41201);
   check_orders<WeightedBicubic>(41202);
+}
+
+TEST_CASE("curve series: about an irrational point", "[filter]") {
+  // (u, v, 0) and (r, r^2 s - s/2, s - r^2 + 1/2) meet in r = 1/√2, s = p, v = p s = p^2, p = r^2 - 1/2: with
+  // u = r = 1/√2 + τ, p = √2 τ + τ².
+  const Rational half(1, 2);
+  const RationalPatch x = testing::power_patch({Terms{{{1, 0}, 1}}, Terms{{{0, 1}, 1}}, Terms{}}, 3);
+  const RationalPatch y = testing::power_patch({Terms{{{1, 0}, 1}}, Terms{{{2, 1}, 1}, {{0, 1}, -half}},
+                                                Terms{{{0, 1}, 1}, {{2, 0}, -1}, {{0, 0}, half}}},
+                                               3);
+  const RealField field(real_roots(Polynomial{-1, 0, 2}, 0, 1).front());
+  const FieldNumber at(field, Polynomial{0, 1});
+  const auto series =
+      CurveSeries::about<Bicubic>(elevated<Bicubic>(x), elevated<Bicubic>(y), {at, 0, at, 0}, 0);
+  REQUIRE(series);
+  CHECK(series->order(0) == 1);
+  CHECK(series->order(1) == 2);
+  CHECK(series->order(2) == 1);
+  CHECK(series->order(3) == 1);
+  const std::array<double, 4> room = {0x1p-7, 0x1p-7, 0x1p-7, 0x1p-7};
+  CHECK(series->sign_beside(room, 0x1p-9, 1) == 1);
+  CHECK(series->sign_beside(room, 0x1p-9, 3) == 1);
 }
 
 TEST_CASE("curve series: no sign beyond a turning point", "[filter]") {

@@ -1,7 +1,13 @@
 #include "filter/side_point.h"
 
+#include <exsect/solver/intersect_rational.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "segment.h"
 #include "support/power_nets.h"
+#include "support/random_nets.h"
 
 namespace exsect::side_point_test {
 namespace {
@@ -31,6 +37,37 @@ std::optional<filter::SidePointOf<Bicubic>> corner_of_order_five(const Rational&
       testing::power_patch({Terms{{{1, 0}, 1}}, Terms{{{2, 1}, a}}, Terms{{{0, 1}, 1}, {{3, 0}, -1}}}, 3));
   const auto pair = filter::make_pair_of<Bicubic>(x, y).value();
   return filter::side_point_near<Bicubic>(x, y, pair, {-0.5, -0.5, -0.5, -0.5});
+}
+
+/// (u, v, 0) and (r, a s^order, s - r^2 + 1/2) meet on v = 0 and s = 0 at u = r = 1/√2: v = a s^order.
+struct IrrationalPair {
+  RationalPatch x, y;
+};
+IrrationalPair irrational_point(const Rational& a, int order) {
+  using testing::Terms;
+  return {RationalPatch(plane_patch()),
+          testing::power_patch({Terms{{{1, 0}, 1}}, Terms{{{0, order}, a}},
+                                Terms{{{0, 1}, 1}, {{2, 0}, -1}, {{0, 0}, Rational(1, 2)}}},
+                               3)};
+}
+
+template <class K>
+void check_irrational_point(const IrrationalPair& of, bool enters) {
+  const auto x = filter::elevated<K>(of.x), y = filter::elevated<K>(of.y);
+  const auto pair = filter::make_pair_of<K>(x, y).value();
+  const double at = std::sqrt(0.5) - 0.5;
+  const auto point = filter::side_point_near<K>(x, y, pair, {at, -0.5, at, -0.499999});
+  REQUIRE(point);
+  CHECK(point->on == Vec4{0, -0.5, 0, -0.5});
+  CHECK(point->still[1]);
+  CHECK(point->enters == enters);
+  if (enters) CHECK(point->leaving == 3);
+  const IntersectResult result = intersect(of.x, of.y);
+  REQUIRE(result.status == Status::complete);
+  CHECK(result.graph.arcs.size() == (enters ? 1 : 0));
+  CHECK(std::ranges::count_if(result.graph.nodes, [&](const Node& node) {
+          return node.on.size() == 2 && std::fabs(node.approx[0] - std::sqrt(0.5)) < 1e-12;
+        }) == 1);
 }
 
 }  // namespace
@@ -69,6 +106,20 @@ TEST_CASE("side point: a curve into a corner by terms of the third and fifth ord
   const auto outside = corner_of_order_five(-1);
   REQUIRE(outside);
   CHECK_FALSE(outside->enters);
+}
+
+TEST_CASE("side point: a curve touches a side in an irrational point", "[filter]") {
+  // To the second order it goes inside for a > 0, on one of both ways; to the third order on none for a < 0.
+  for (const int order : {2, 3})
+    for (const int a : {-1, 1}) {
+      INFO("order " << order << ", a = " << a);
+      const IrrationalPair pair = irrational_point(a, order);
+      check_irrational_point<Bicubic>(pair, a > 0);
+      random_pairs::Generator generator(61300);
+      const auto map = random_nets::projective_map(generator);
+      check_irrational_point<filter::WeightedBicubic>(
+          {random_nets::image(pair.x, map), random_nets::image(pair.y, map)}, a > 0);
+    }
 }
 
 }  // namespace exsect::side_point_test
