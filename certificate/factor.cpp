@@ -114,6 +114,7 @@ int Factors::add(Factor factor) {
       return static_cast<int>(i);
   }
   NearFactor near = {std::move(factor), {}, {}};
+  near.walls = checker::walls_of(near.exact);
   near.map = checker::rounded<double>(near.exact.map);
   for (std::size_t j = 0; j < 3; ++j) near.columns[j] = checker::rounded<double>(near.exact.columns[j]);
   found_.push_back(std::move(near));
@@ -163,14 +164,15 @@ std::optional<Factor> Factors::in_plane(const std::vector<Parameters>& near) con
 std::optional<Factor> Factors::on_line(const Arc& arc, const Node& from, const Node& to) const {
   const auto line = line_between(equation_, from, to);
   if (!line) return std::nullopt;
-  if (!touches(arc)) {
-    const auto o = others(line->axis);
-    Direction c = {};
-    c[o[2]] = 1;
-    return factor_in(along_line(*line, o[2], c, o[0]), equation_, 1);
+  if (touches(arc)) {
+    for (const bool surface : {true, false})
+      if (auto found = touching_factor(*line, equation_, surface)) return found;
   }
-  if (auto found = touching_factor(*line, equation_, true)) return found;
-  return touching_factor(*line, equation_, false);
+  const auto o = others(line->axis);
+  Direction c = {};
+  c[o[2]] = 1;
+  auto found = factor_in(along_line(*line, o[2], c, o[0]), equation_, 1);
+  return found && (!touches(arc) || checker::touches(*found)) ? std::move(found) : std::nullopt;
 }
 
 namespace {

@@ -57,8 +57,11 @@ std::optional<std::array<bool, 4>> factored(const Equation& equation, const Tube
   checker::Box<double> box;
   const Parameters extent = tube.extent();
   for (std::size_t i = 0; i < 4; ++i) box[i] = {tube.centre[i], extent[i] * (1 + 0x1p-20)};
-  if (!checker::independent<double>(equation.factor->columns, box)) return std::nullopt;
-  return checker::constant_in(equation.factor->exact.map, equation.factor->map, box);
+  const auto& [factor, map, columns, walls] = *equation.factor;
+  if (!checker::independent<double>(columns, box) &&
+      !(walls && checker::on_one_side<double>(factor, *walls, columns, box)))
+    return std::nullopt;
+  return checker::constant_in(factor.map, map, box);
 }
 
 bool definite(const checker::Ball<double>& b) {

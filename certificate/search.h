@@ -4,6 +4,7 @@
 
 #include <exsect/checker/certificate.h>
 #include <exsect/checker/pairs_of_points.h>
+#include <exsect/checker/walls.h>
 #include <exsect/solver/intersection_graph.h>
 #include <exsect/solver/line_patch.h>
 
@@ -40,6 +41,7 @@ struct NearFactor {
   checker::Factor exact;
   Map map;
   std::array<Map, 3> columns;
+  std::optional<checker::Walls> walls = {};
 };
 
 /// What vanishes on a curve: F, H of a chart, or the map of the factor with this number.

@@ -20,9 +20,21 @@ std::size_t ends_at(const IntersectionGraph& graph, const Node& node) {
   return result;
 }
 
+/// The end of one arc along a side of both patches that are on one side of it even where they touch: it is in
+/// a tube of the arc's factor.
+bool is_behind_walls(const Draft& d, const Node& n) {
+  const int number = d.factor_at[static_cast<std::size_t>(n.id)];
+  if (number < 0 || n.on.size() < 3 || ends_at(d.graph, n) != 1) return false;
+  const NearFactor& factor = d.factors.found()[static_cast<std::size_t>(number)];
+  checker::Box<double> box;
+  for (std::size_t i = 0; i < 4; ++i) box[i] = {n.approx[i], 0x1p-20};
+  return factor.walls && checker::on_one_side<double>(factor.exact, *factor.walls, factor.columns, box);
+}
+
 /// A point of a star, as is one on sides where the parameter of one of them turns, or through which a curve
 /// along a side goes on while another parameter turns.
 bool needs_star(const Draft& d, const SingularSearch& search, const Node& n) {
+  if (is_behind_walls(d, n)) return false;
   if (is_star(d.graph, n, d.self)) return true;
   if (n.on.empty() || !d.on_curve[static_cast<std::size_t>(n.id)]) return false;
   if (turns_at_side(d.pair.power, search, n) || ends_at(d.graph, n) > 1) return true;
@@ -31,8 +43,6 @@ bool needs_star(const Draft& d, const SingularSearch& search, const Node& n) {
 }
 
 void number_nodes(Draft& d, const SingularSearch& search) {
-  d.factor_at.assign(d.graph.nodes.size(), -1);
-  d.factor_along.assign(d.graph.arcs.size(), -1);
   d.claim_of.assign(d.graph.nodes.size(), 0);
   d.on_curve.assign(d.graph.nodes.size(), false);
   for (const int n : d.graph.isolated_points) d.on_curve[static_cast<std::size_t>(n)] = true;
@@ -49,6 +59,8 @@ void number_nodes(Draft& d, const SingularSearch& search) {
 }
 
 void find_factors(Draft& d) {
+  d.factor_at.assign(d.graph.nodes.size(), -1);
+  d.factor_along.assign(d.graph.arcs.size(), -1);
   for (const Arc& arc : d.graph.arcs) {
     const auto from = static_cast<std::size_t>(arc.from);
     const auto to = static_cast<std::size_t>(arc.to);
@@ -84,8 +96,8 @@ void add_star(Draft& d, const SingularSearch& search, const Node& n) {
 }  // namespace
 
 void find_special_places(Draft& d, const SingularSearch& search) {
-  number_nodes(d, search);
   find_factors(d);
+  number_nodes(d, search);
   for (const Overlap& overlap : d.graph.overlaps)
     d.overlaps.push_back(overlap_claim(d, overlap, d.overlaps.size()));
   for (const Node& n : d.graph.nodes)

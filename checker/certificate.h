@@ -63,8 +63,6 @@ struct Factor {
   std::array<Map<Rational>, 3> columns;
 
   bool is_surface() const { return columns[2].terms().empty(); }
-  /// Where the map vanishes, the patches touch.
-  bool touches() const { return is_surface() || *std::max_element(powers.begin(), powers.end()) > 1; }
 };
 
 using Matrix4 = std::array<Vector4<Algebraic>, 4>;

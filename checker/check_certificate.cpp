@@ -72,7 +72,7 @@ template <class N>
 bool is_tangential(const Replay<N>& all, const Arc<N>& arc) {
   return std::all_of(arc.pieces.begin(), arc.pieces.end(), [&](const Piece& piece) {
     const int factor = all.tubes[piece.tube].claim.factor;
-    return factor >= 0 && all.certificate.factors[static_cast<std::size_t>(factor)].touches();
+    return factor >= 0 && all.touching[static_cast<std::size_t>(factor)];
   });
 }
 
@@ -164,8 +164,10 @@ Report check(const Certificate<N>& certificate, std::vector<Shortfall>* shortfal
   check_denominators(certificate);
   Replay<N> all = start(certificate);
   all.shortfalls = shortfalls;
-  each("$.factors", certificate.factors,
-       [&](std::size_t i) { check_factor(all.exact, certificate.factors[i]); });
+  each("$.factors", certificate.factors, [&](std::size_t i) {
+    check_factor(all.exact, certificate.factors[i]);
+    all.touching.push_back(touches(certificate.factors[i]));
+  });
   each("$.stars", certificate.stars, [&](std::size_t i) { all.stars.push_back(check_star(all, i)); });
   each("$.tubes", certificate.tubes, [&](std::size_t i) { check_tube(all, certificate.tubes[i]); });
   Summary count;

@@ -24,7 +24,10 @@ Map<N> check_factored(const Replay<N>& replay, const Tube<N>& tube) {
   const FactorMaps<N> maps = tube.chart == Chart::star
                                  ? factor_in_direction<N>(factor, stars[tube.star], tube.direction)
                                  : factor_maps<N>(factor);
-  require(independent(maps.columns, box_of(tube)), "there may be other solutions");
+  const Box<N> box = box_of(tube);
+  const auto walls = tube.chart == Chart::star ? std::nullopt : walls_of(factor);
+  require(independent(maps.columns, box) || (walls && on_one_side(factor, *walls, maps.columns, box)),
+          "there may be other solutions");
   return maps.map;
 }
 

@@ -77,6 +77,18 @@ inline Polynomial on_sides(const Polynomial& a, const std::vector<Side>& sides) 
   return result;
 }
 
+inline Polynomial determinant(const std::array<Vector3<Polynomial>, 3>& columns) {
+  const auto& [a, b, c] = columns;
+  Polynomial sum;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const std::size_t e = (d + 1) % 3;
+    const std::size_t f = (d + 2) % 3;
+    add(sum, product(a[d], product(b[e], c[f])), 1);
+    add(sum, product(a[d], product(b[f], c[e])), -1);
+  }
+  return sum;
+}
+
 /// a = g h, with no parameters but w_i and w_j in g and only the two others in h: the coefficients, with a
 /// row for each pair of exponents in g and a column for each one in h, are a matrix of rank 1. True of a = 0.
 inline bool separates(const Polynomial& a, std::size_t i, std::size_t j) {
@@ -134,14 +146,7 @@ inline bool turns_on_sides(const Map<Rational>& map, const std::array<Polynomial
       add(entry, product(on_sides(derivative(c, j), sides), on_sides(f, sides)), -1);
     }
   }
-  const auto& [a, b, c] = column;
-  Polynomial sum;
-  for (std::size_t d = 0; d < 3; ++d) {
-    const std::size_t e = (d + 1) % 3;
-    const std::size_t f = (d + 2) % 3;
-    add(sum, product(a[d], product(b[e], c[f])), 1);
-    add(sum, product(a[d], product(b[f], c[e])), -1);
-  }
+  const Polynomial sum = determinant(column);
   bool result = is_zero(sum);
   for (std::size_t d = 0; d < 3 && !result; ++d) {
     const Polynomial g = on_sides(component(map, d), sides);

@@ -8,6 +8,7 @@
 #include "pairs_of_points.h"
 #include "position.h"
 #include "section.h"
+#include "walls.h"
 
 namespace exsect::checker {
 
@@ -61,6 +62,7 @@ struct Replay {
   std::array<Map<N>, 3> equation;     // F of each chart
   std::array<Position<N>, 3> space;   // the point of space, moved by -origin
   std::array<Divided<N>, 2> divided;  // of both charts of one patch
+  std::vector<bool> touching = {};    // of each factor: the patches touch along its curve
   std::vector<StarMaps<N>> stars;
   std::vector<ProvedTube<N>> tubes;
   std::vector<Shortfall>* shortfalls = nullptr;  // where they are listed instead of rejected
@@ -104,7 +106,7 @@ template <class N>
 Replay<N> start(const Certificate<N>& certificate) {
   const Net<Rational>& first = certificate.nets[0].points;
   const Vector3<Rational>& middle = first[first.degree(0) / 2][first.degree(1) / 2];
-  Replay<N> result = {certificate, middle, {}, {}, {}, {}, {}, {}, {}, {}};
+  Replay<N> result = {certificate, middle, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   const auto& equation = certificate.equation;
   std::array<WeightedNet<Rational>, 2> power = certificate.nets;
   if (equation) {

@@ -688,7 +688,8 @@ class Tube:
             box = box[: self.axis] + [(self.reach / 2, self.reach / 2)] + box[self.axis + 1 :]
             parameters = self.star.from_chart(self.direction, box)
             self.map, columns = self.star.factor(factor, self.direction)
-        require(independent(columns, factor.surface, box), place, "there may be other solutions")
+        walled = factor.walls is not None and self.star is None
+        require(independent(columns, factor.surface, box) or walled and factor.on_one_side(box), place, "there may be other solutions")
         self.find_constant(parameters)
 
     def find_constant(self, parameters):
@@ -849,17 +850,46 @@ def vanishes(polynomials, d, known):
     return not any(c[d] for power, c in local.terms.items() if not any(power[j] for j in known))
 
 
+def values_over(columns, box):
+    middle, half = [b[0] for b in box], [b[1] for b in box]
+    return [[local.derivative(d, (0, 0, 0, 0), half) for d in range(3)] for local in (column.at(middle) for column in columns)]
+
+
+def cross(a, b):
+    return [subtract(times(a[d - 2], b[d - 1]), times(a[d - 1], b[d - 2])) for d in range(3)]
+
+
+def dot(a, b):
+    total = (Fraction(0), Fraction(0))
+    for p, q in zip(a, b):
+        total = add(total, times(p, q))
+    return total
+
+
 def independent(columns, surface, box):
     """The columns, of a surface the first two, are independent in the box."""
-    middle, half = [b[0] for b in box], [b[1] for b in box]
-    a, b, c = ([local.derivative(d, (0, 0, 0, 0), half) for d in range(3)] for local in (column.at(middle) for column in columns))
-    normal = [subtract(times(a[d - 2], b[d - 1]), times(a[d - 1], b[d - 2])) for d in range(3)]
-    if surface:
-        c = [(near(q[0]), Fraction(0)) for q in normal]
-    total = (Fraction(0), Fraction(0))
-    for p, q in zip(normal, c):
-        total = add(total, times(p, q))
-    return sign(total)
+    a, b, c = values_over(columns, box)
+    normal = cross(a, b)
+    return sign(dot(normal, [(near(q[0]), Fraction(0)) for q in normal] if surface else c))
+
+
+def determinant(columns):
+    total = {}
+    for p in itertools.permutations(range(3)):
+        odd = sum(p[i] > p[j] for i, j in ((0, 1), (0, 2), (1, 2))) % 2
+        for power, q in product(columns[0][p[0]], product(columns[1][p[1]], columns[2][p[2]])).items():
+            total[power] = total.get(power, 0) + (-q if odd else q)
+    return total
+
+
+def on_sides(polynomial, sides):
+    """With these values, 0 or 1, for these parameters."""
+    result = {}
+    for power, c in polynomial.items():
+        if all(b or not power[j] for j, b in sides.items()):
+            rest = tuple(0 if j in sides else n for j, n in enumerate(power))
+            result[rest] = result.get(rest, 0) + c
+    return {power: c for power, c in result.items() if c}
 
 
 class Factor:
@@ -883,6 +913,47 @@ class Factor:
                 for power, c in term.items():
                     rest[power] = rest.get(power, 0) - c
         require(not any(any(rest.values()) for rest in rests), place, "not a sum of multiples of its map")
+        self.walls = None if self.surface else self.find_walls()
+        self.touches = self.surface or max(self.powers) > 1 or self.walls is not None and self.singular_along()
+
+    def wall(self, j):
+        """(parameter, value, sign in [0,1]^4) where g_j is a multiple of this parameter minus 0 or 1."""
+        g = component(self.map, j)
+        powers = [power for power in g if sum(power)]
+        if len(powers) != 1 or sum(powers[0]) != 1:
+            return None
+        slope, rest = g[powers[0]], g.get((0, 0, 0, 0), 0)
+        value = {0: 0, -slope: 1}.get(rest)
+        return None if value is None else (powers[0].index(1), value, sign((slope * (1 - 2 * value), Fraction(0))))
+
+    def find_walls(self):
+        """(a, b, c): g_a and g_b are walls of different parameters, and g_c is there a number times w_k and a rest without it."""
+        for a, b, c in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+            first, second = self.wall(a), self.wall(b)
+            if first and second and first[0] != second[0]:
+                g = on_sides(component(self.map, c), {first[0]: first[1], second[0]: second[1]})
+                if any([power for power in g if power[k]] == [tuple(int(i == k) for i in range(4))] for k in range(4)):
+                    return a, b, c
+        return None
+
+    def singular_along(self):
+        """The determinant of the columns is 0 on the curve on both walls, whose equation is g_c."""
+        a, b, c = self.walls
+        sides = {self.wall(j)[0]: self.wall(j)[1] for j in (a, b)}
+        m = [[on_sides(component(column, d), sides) for d in range(3)] for column in self.columns]
+        return is_multiple(determinant(m), on_sides(component(self.map, c), sides))
+
+    def on_one_side(self, box):
+        """Both M_a x M_c and M_b x M_c have, with the signs of g_a^m_a and g_b^m_b, positive products with one vector."""
+        values, across = values_over(self.columns, box), []
+        for j in self.walls[:2]:
+            normal = cross(values[j], values[self.walls[2]])
+            across.append(normal if self.powers[j] % 2 == 0 or self.wall(j)[2] > 0 else [(-q, r) for q, r in normal])
+        longest = [max(abs(q) for q, _ in normal) for normal in across]
+        if not all(longest):
+            return False
+        n = [(near(sum(normal[d][0] / most for normal, most in zip(across, longest))), Fraction(0)) for d in range(3)]
+        return all(sign(dot(n, normal)) > 0 for normal in across)
 
     @staticmethod
     def polynomials(value, place):
@@ -1427,30 +1498,18 @@ class Checker:
 
     @staticmethod
     def turns_with(factors, polynomials, i, sides):
-        def on_sides(polynomial):
-            result = {}
-            for power, c in polynomial.items():
-                if all(sides.get(n) != 0 or p == 0 for n, p in enumerate(power)):
-                    rest = tuple(0 if n in sides else p for n, p in enumerate(power))
-                    result[rest] = result.get(rest, 0) + c
-            return result
-
         def derivative(polynomial, j):
-            return on_sides({tuple(p - (n == j) for n, p in enumerate(power)): power[j] * c for power, c in polynomial.items() if power[j]})
+            return on_sides({tuple(p - (n == j) for n, p in enumerate(power)): power[j] * c for power, c in polynomial.items() if power[j]}, sides)
 
         def entry(d, j):
             f, c = component(polynomials, d), factors[j // 2]
-            result = product(on_sides(c), derivative(f, j))
-            for power, q in product(derivative(c, j), on_sides(f)).items():
+            result = product(on_sides(c, sides), derivative(f, j))
+            for power, q in product(derivative(c, j), on_sides(f, sides)).items():
                 result[power] = result.get(power, 0) - q
             return result
 
-        e = [[entry(d, j) for j in others(i)] for d in range(3)]
-        total = {}
-        for a, b, c, s in ((0, 1, 2, 1), (1, 2, 0, 1), (2, 0, 1, 1), (0, 2, 1, -1), (1, 0, 2, -1), (2, 1, 0, -1)):
-            for power, q in product(e[0][a], product(e[1][b], e[2][c])).items():
-                total[power] = total.get(power, 0) + s * q
-        components = (on_sides(component(polynomials, d)) for d in range(3))
+        total = determinant([[entry(d, j) for d in range(3)] for j in others(i)])
+        components = (on_sides(component(polynomials, d), sides) for d in range(3))
         return not any(total.values()) or any(any(g.values()) and is_multiple(total, g) for g in components)
 
     def places_on_polyline(self, points, vertices, place):
@@ -1565,7 +1624,7 @@ class Checker:
     def is_tangential(self, arc):
         """The patches touch all along the arc."""
         factors = [self.tubes[t].factor for t, _ in arc["pieces"]]
-        return all(factor is not None and (factor.surface or max(factor.powers) > 1) for factor in factors)
+        return all(factor is not None and factor.touches for factor in factors)
 
     def check_cover(self):
         cover = []

@@ -80,6 +80,15 @@ def quarter_turn(angle, *profile):
     return {"degree": [2, 1], "points": rows, "weights": [["1", "1"], ["1", "1"], ["2", "2"]]}
 
 
+def touching_neighbours():
+    """(u, v, u^2 + v^2) and (1 + r (1 + s) / 2, s, 1 + s^2 + r (1 + s) + r^2 / 3), which touch where u = 1, r = 0 and v = s."""
+    square = [0, 0, 1]
+    yield [[[str(Fraction(c)) for c in (Fraction(i, 2), Fraction(j, 2), square[i] + square[j])] for j in range(3)] for i in range(3)]
+    along = [[Fraction(i, 2) + Fraction(i * j, 4) for j in range(3)] for i in range(3)]
+    yield [[[str(Fraction(c)) for c in (1 + along[i][j] / 2, Fraction(j, 2), 1 + square[j] + along[i][j] + Fraction(square[i], 3))] for j in range(3)]
+           for i in range(3)]
+
+
 def random_patch(generator, height):
     return [[[str(Fraction(i, 2) + Fraction(generator.randint(-9, 9), 97)), str(Fraction(j, 2) + Fraction(generator.randint(-9, 9), 89)),
               str(Fraction(generator.randint(-30, 30), 50) * height)] for j in range(3)] for i in range(3)]
@@ -126,6 +135,8 @@ def models():
     yield "equation and weights", ["intersect"], {"exsect": "patches/1", "patches": [bent, ball]}
     yield "nodes next to each other", ["intersect"], cases / "found" / "corner-arc-twice.json"
     cone, cylinder = (quarter_turn(*arguments) for arguments in (((1, 0), ("10/7", 0), ("3/7", 2)), (("4/5", "3/5"), (1, "9/35"), (1, "123/70"))))
+    yield "neighbours", ["intersect"], cases / "found" / "smooth-neighbours.json"
+    yield "neighbours that touch", ["intersect"], patches(*touching_neighbours())
     yield "circles around an axis", ["intersect"], {"exsect": "patches/1", "patches": [dict(cone, name="x"), dict(cylinder, name="y")]}
 
 

@@ -3,7 +3,8 @@
 // graphs are equal up to the names. Reports how many end incomplete, by reason, and the times of the pairs
 // themselves; one pair alone is written to a file. With --oracle, complete answers are compared with
 // support/exact_oracle.h instead; with --cut, with the parts of patches that are cut (glued_parts.h); with
-// --exact, with those of exact arithmetic, of which it counts by reason which are incomplete alone. Exit
+// --exact, with those of exact arithmetic, of which it counts by reason which are incomplete alone. With
+// --certificates it counts which complete pairs have a certificate, and by reason those that have none. Exit
 // status 1 if there is a difference; the pair is written to a file, and the seed gives it again.
 #include <exsect/solver/intersect_rational.h>
 
@@ -17,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "certificate/certificate_text.h"
 #include "glued_parts.h"
 #include "known_images.h"
 #include "reasons.h"
@@ -232,6 +234,31 @@ int run_in_exact_mode(const std::string& family, std::uint64_t first, std::uint6
   return wrong == 0 ? 0 : 1;
 }
 
+/// Counts the complete pairs that have a certificate, and by reason those that have none.
+int run_certificates(const std::string& family, std::uint64_t first, std::uint64_t count) {
+  int complete = 0, certified = 0;
+  Reasons reasons;
+  IntersectOptions options;
+  options.tolerance = 1e-2;
+  options.max_seconds = kCap;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    try {
+      const RationalPair pair = pair_of(family, seed);
+      const IntersectResult result = intersect(pair.x, pair.y, options);
+      if (result.status != Status::complete) continue;
+      ++complete;
+      cli::certificate_text(pair.x, pair.y, {"x", "y"}, result);
+      ++certified;
+    } catch (const PatchError&) {  // no patch
+    } catch (const cli::NoCertificate& reason) {
+      reasons.add(reason.what(), seed);
+    }
+  }
+  std::cout << family << ": " << complete << " pairs complete, " << certified << " have a certificate\n"
+            << reasons;
+  return 0;
+}
+
 int run(const std::string& family, std::uint64_t first, std::uint64_t count) {
   DegreeTally tally;
   if (count == 1) std::cout << written(family, first, pair_of(family, first)) << '\n';
@@ -263,14 +290,16 @@ int main(int argc, char** argv) try {
   const bool exactly = argc == 5 && std::string(argv[4]) == "--oracle";
   const bool cut = argc == 5 && std::string(argv[4]) == "--cut";
   const bool in_exact_mode = argc == 5 && std::string(argv[4]) == "--exact";
-  if ((argc != 4 && !exactly && !cut && !in_exact_mode) ||
+  const bool certificates = argc == 5 && std::string(argv[4]) == "--certificates";
+  if ((argc != 4 && !exactly && !cut && !in_exact_mode && !certificates) ||
       std::find(families.begin(), families.end(), argv[1]) == families.end())
     throw std::invalid_argument(
         "usage: exsect_replay_degrees bicubic|weighted|weighted-bicubic|mixed|"
         "small-bicubic|small-weighted|weighted-doubles|tiny|tiny-weighted|round|placed FIRST COUNT "
-        "[--oracle|--cut|--exact]");
+        "[--oracle|--cut|--exact|--certificates]");
   if (cut) return run_cut(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
   if (in_exact_mode) return run_in_exact_mode(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
+  if (certificates) return run_certificates(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
   if (exactly) return run_exactly(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
   return run(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
 } catch (const std::exception& error) {
