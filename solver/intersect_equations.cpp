@@ -211,6 +211,8 @@ SurfaceIntersection same(const ImplicitSurface& first, const ImplicitSurface& se
   if (are_equal(first.box(), second.box())) return {Status::complete, true};
   SurfaceIntersection result{Status::complete};
   const ImplicitSurface& known = first.data() ? first : second;
+  if (!known.data())
+    return open("two polynomials with a common factor are in different boxes", Reason::not_decided);
   if (const std::optional<SharedBox> shared = shared_box(first, second)) {
     result.is_same = shared->has_inner_points;
     for (const SharedCut& cut : shared->cuts)

@@ -264,8 +264,8 @@ std::vector<Point> corners(const SurfaceRegion& box, const SurfaceData& plane) {
   return result;
 }
 
-SharedBox shared_parallelograms(const ImplicitSurface& first, const ImplicitSurface& second) {
-  const SurfaceData& plane = *first.data();
+SharedBox shared_parallelograms(const ImplicitSurface& first, const ImplicitSurface& second,
+                                const SurfaceData& plane) {
   std::vector<Point> polygon = corners(first.box(), plane);
   for (const SurfaceBound& bound : second.box().bounds) polygon = clipped(polygon, bound.form);
   if (polygon.empty()) return {};
@@ -282,11 +282,10 @@ SharedBox shared_parallelograms(const ImplicitSurface& first, const ImplicitSurf
 
 std::optional<SharedBox> shared_box(const ImplicitSurface& first, const ImplicitSurface& second) {
   const ImplicitSurface& known = first.data() ? first : second;
-  if (!known.data() || (first.region().clauses.empty() && second.region().clauses.empty()))
-    return SharedBox{true};
+  if (first.region().clauses.empty() && second.region().clauses.empty()) return SharedBox{true};
   if (known.kind() == SurfaceKind::plane) {
     if (first.box().clauses.empty() || second.box().clauses.empty()) return SharedBox{true};
-    return shared_parallelograms(first, second);
+    return shared_parallelograms(first, second, *known.data());
   }
   Point axis = known.data()->axis;
   if (known.kind() == SurfaceKind::sphere) {

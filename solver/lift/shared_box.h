@@ -22,7 +22,7 @@ struct SharedBox {
 };
 
 /// Of two surfaces with one set of points but for boxes and nappes. Empty for boxes about different axes of a
-/// sphere (sphere_boxes.h).
+/// sphere (sphere_boxes.h). Requires that one of them at least is no polynomial, if there is a box.
 std::optional<SharedBox> shared_box(const ImplicitSurface& first, const ImplicitSurface& second);
 
 }  // namespace exsect

@@ -1,9 +1,10 @@
-// replay_equations FIRST COUNT [near]: random pairs of planes, cylinders, cones, spheres and tori with small
-// integers, where contact, common lines and circles, and singular points are common (tests/fuzz/README.md).
-// Their images under maps that keep the intersection must have the same topology: the surfaces exchanged,
-// moved, scaled, given as polynomials without a name, and solved by exact methods alone; and bounded curves
-// the points on planes that resultants count. `near`: the second surface moved by 10^-3 to 10^-20. Exit
-// status 1 if there is a difference.
+// replay_equations FIRST COUNT [near|boxes]: random pairs of planes, cylinders, cones, spheres and tori with
+// small integers, where contact, common lines and circles, and singular points are common
+// (tests/fuzz/README.md). Their images under maps that keep the intersection must have the same topology: the
+// surfaces exchanged, moved, scaled, given as polynomials without a name, and solved by exact methods alone;
+// and bounded curves the points on planes that resultants count. `near`: the second surface moved by 10^-3 to
+// 10^-20. `boxes`: the surfaces in boxes, and what the boxes leave of the whole answer. Exit status 1 if
+// there is a difference.
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -13,8 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "box_oracle.h"
 #include "reasons.h"
 #include "support/surface_moves.h"
+#include "tiny_boxes.h"
 #include "tiny_surfaces.h"
 
 namespace {
@@ -22,7 +25,9 @@ namespace {
 using namespace exsect;
 using random_pairs::Generator;
 using S = ImplicitSurface;
-using tiny_surfaces::tiny_surface, tiny_surfaces::unnamed, tiny_surfaces::vector_of, tiny_surfaces::written;
+using tiny_boxes::Face;
+using tiny_boxes::written;
+using tiny_surfaces::tiny_surface, tiny_surfaces::vector_of;
 
 constexpr double kTolerance = 1e-4;
 
@@ -81,14 +86,15 @@ struct Variant {
   bool exact = false;
 };
 
-std::vector<Variant> variants(const S& first, const S& second) {
-  std::vector<Variant> result = {{"exchanged", second, first}, {"exact", first, second, true}};
+std::vector<Variant> variants(const Face& first, const Face& second) {
+  const S one = first.surface(), other = second.surface();
+  std::vector<Variant> result = {{"exchanged", other, one}, {"exact", one, other, true}};
   for (const auto& [name, motion] : surface_moves::motions())
-    result.push_back({name, motion(first), motion(second)});
+    result.push_back({name, moved(motion, first).surface(), moved(motion, second).surface()});
   // A polynomial has both nappes.
-  if (!first.bound()) result.push_back({"first unnamed", unnamed(first), second});
-  if (!second.bound()) result.push_back({"second unnamed", first, unnamed(second)});
-  if (!first.bound() && !second.bound()) result.push_back({"both unnamed", unnamed(first), unnamed(second)});
+  if (!one.bound()) result.push_back({"first unnamed", first.unnamed(), other});
+  if (!other.bound()) result.push_back({"second unnamed", one, second.unnamed()});
+  if (!one.bound() && !other.bound()) result.push_back({"both unnamed", first.unnamed(), second.unnamed()});
   return result;
 }
 
@@ -98,6 +104,7 @@ struct EquationTally {
   std::uint64_t wrong = 0;
   std::uint64_t halves = 0;  // variants of which one only is complete
   std::uint64_t planes = 0;
+  std::uint64_t cut = 0;  // whole answers that were cut by boxes
   Reasons reasons;
 };
 
@@ -121,8 +128,9 @@ void check_planes(Generator& generator, const S& first, const S& second, const S
     ++tally.planes;
     if (counts->by_polylines == counts->by_resultant) continue;
     ++tally.wrong;
-    std::cout << "seed " << seed << ", " << written(first) << ", " << written(second) << ": "
-              << counts->by_polylines << " points on a plane, not " << counts->by_resultant << std::endl;
+    std::cout << "seed " << seed << ", " << tiny_surfaces::written(first) << ", "
+              << tiny_surfaces::written(second) << ": " << counts->by_polylines << " points on a plane, not "
+              << counts->by_resultant << std::endl;
   }
 }
 
@@ -133,15 +141,34 @@ S moved_a_little(Generator& generator, const S& surface) {
   return surface.seen_from(length * vector_of(generator, 9), 1);
 }
 
-void check(std::uint64_t seed, bool is_near, EquationTally& tally) {
+void check_boxes(const Face& first, const Face& second, const SurfaceIntersection& result, std::uint64_t seed,
+                 EquationTally& tally) {
+  const SurfaceIntersection whole = solved(first.whole, second.whole);
+  if (whole.status != Status::complete) return;
+  ++tally.cut;
+  const std::string difference = box_oracle::difference(first, second, whole, result);
+  if (difference.empty()) return;
+  ++tally.wrong;
+  std::cout << "seed " << seed << ", " << written(first) << ", " << written(second) << ": " << difference
+            << std::endl;
+}
+
+/// How pairs are made of seeds.
+enum class Pairs { whole, near, boxes };
+
+std::array<Face, 2> pair_of(std::uint64_t seed, Pairs pairs) {
   Generator generator(seed);
-  const S first = tiny_surface(generator), given = tiny_surface(generator);
-  const S second = is_near ? moved_a_little(generator, given) : given;
-  const SurfaceIntersection result = solved(first, second);
+  if (pairs == Pairs::boxes) {
+    const Face first = tiny_boxes::tiny_face(generator);
+    return {first, tiny_boxes::tiny_face(generator)};
+  }
+  const S first = tiny_surface(generator), second = tiny_surface(generator);
+  return {Face{first, {}}, Face{pairs == Pairs::near ? moved_a_little(generator, second) : second, {}}};
+}
+
+void check_variants(const Face& first, const Face& second, const SurfaceIntersection& result,
+                    std::uint64_t seed, EquationTally& tally) {
   const bool complete = result.status == Status::complete;
-  if (complete) ++tally.complete;
-  if (!complete) tally.reasons.add(result.incomplete.at(0).why, seed);
-  if (complete) check_planes(generator, first, second, result, seed, tally);
   for (const Variant& variant : variants(first, second)) {
     const SurfaceIntersection other = solved(variant.first, variant.second, variant.exact);
     const bool other_complete = other.status == Status::complete;
@@ -158,25 +185,37 @@ void check(std::uint64_t seed, bool is_near, EquationTally& tally) {
   }
 }
 
+void check(std::uint64_t seed, Pairs pairs, EquationTally& tally) {
+  const auto [first, second] = pair_of(seed, pairs);
+  const SurfaceIntersection result = solved(first.surface(), second.surface());
+  const bool complete = result.status == Status::complete;
+  if (complete) ++tally.complete;
+  if (!complete) tally.reasons.add(result.incomplete.at(0).why, seed);
+  Generator planes(seed);
+  if (complete && pairs != Pairs::boxes) check_planes(planes, first.whole, second.whole, result, seed, tally);
+  if (complete && pairs == Pairs::boxes) check_boxes(first, second, result, seed, tally);
+  check_variants(first, second, result, seed, tally);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const bool is_near = argc == 4 && std::string(argv[3]) == "near";
-  if (argc != 3 && !is_near) {
-    std::cerr << "usage: exsect_replay_equations FIRST COUNT [near]\n";
+  const std::map<std::string, Pairs> kinds = {{"near", Pairs::near}, {"boxes", Pairs::boxes}};
+  if (argc != 3 && !(argc == 4 && kinds.contains(argv[3]))) {
+    std::cerr << "usage: exsect_replay_equations FIRST COUNT [near|boxes]\n";
     return 2;
   }
+  const Pairs pairs = argc == 4 ? kinds.at(argv[3]) : Pairs::whole;
   const std::uint64_t first = std::stoull(argv[1]), count = std::stoull(argv[2]);
   EquationTally tally;
-  for (std::uint64_t seed = first; seed < first + count; ++seed) check(seed, is_near, tally);
+  for (std::uint64_t seed = first; seed < first + count; ++seed) check(seed, pairs, tally);
   if (count == 1) {
-    Generator generator(first);
-    const S a = tiny_surface(generator);
-    std::cout << written(a) << ", " << written(tiny_surface(generator)) << '\n';
+    const auto [one, other] = pair_of(first, pairs);
+    std::cout << written(one) << ", " << written(other) << '\n';
   }
   std::cout << count << " pairs, " << tally.complete << " complete, " << tally.wrong << " of "
-            << tally.compared << " comparisons and " << tally.planes << " planes differ, " << tally.halves
-            << " complete one way only\n";
+            << tally.compared << " comparisons, " << tally.planes << " planes and " << tally.cut
+            << " boxes differ, " << tally.halves << " complete one way only\n";
   std::cout << tally.reasons;
   return tally.wrong == 0 ? 0 : 1;
 } catch (const std::exception& error) {

@@ -399,6 +399,18 @@ TEST_CASE("boxes: a quarter of a cylinder is the patch with weights that it is")
   CHECK(seen.size() >= 3);
 }
 
+TEST_CASE("boxes: polynomials in boxes") {
+  // Two squares of one plane with a corner in common; as a polynomial a plane has no shape to be shared.
+  const S one = tile({0, 0, 1}, up, right, back), other = tile({1, 1, 1}, up, {2, 0, 0}, {0, 3, 0});
+  const auto unnamed = [](const S& face) { return S::polynomial(face.equation()).part_in(face.box()); };
+  CHECK(census(one, other).starts_with("1 touch"));
+  CHECK(census(unnamed(one), other) == census(one, other));
+  CHECK(census(one, unnamed(other)) == census(one, other));
+  CHECK(census(unnamed(one), unnamed(other)).starts_with("incomplete: two polynomials"));
+  CHECK(census(unnamed(one), unnamed(one)) == "same");
+  CHECK(census(unnamed(one), S::polynomial(other.equation())).starts_with("incomplete: two polynomials"));
+}
+
 TEST_CASE("boxes: places, sizes and turns of both faces change no answer") {
   const std::array<Point, 3> turn = {Point{-20, 4, 22}, Point{20, -10, 20}, Point{10, 28, 4}};
   for (const Rational& scale : {Rational(1), Rational(127, 5), power_of_two(-60)})
