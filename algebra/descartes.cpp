@@ -1,16 +1,20 @@
 #include "descartes.h"
 
+#include <optional>
 #include <stdexcept>
 
 #include "fixed_point_bernstein.h"
 #include "flint_polynomial.h"
 #include "interruption.h"
+#include "root_gap.h"
 
 namespace exsect {
 namespace {
 
 /// The depth from which a multiple root is suspected and looked for once.
 constexpr long suspicious_depth = 12;
+/// So many bisections are left out at least where no root is next to an end.
+constexpr long least_gap = 4;
 
 [[noreturn]] void throw_multiple_root() {
   throw std::invalid_argument("isolate_roots: the polynomial has a multiple root in the interval");
@@ -100,7 +104,7 @@ class Isolator {
   }
 
   void split(Node node) {
-    if (node.where.depth == suspicious_depth && !multiple_root_excluded_) exclude_multiple_roots();
+    if (node.where.depth >= suspicious_depth && !multiple_root_excluded_) exclude_multiple_roots();
     FixedPointBernstein left = node.coefficients.split();
     open_.push_back({node.where.right_half(), std::move(node.coefficients)});
     open_.push_back({node.where.left_half(), std::move(left)});
@@ -121,8 +125,34 @@ class Isolator {
     if (variations == 1)
       report_interval(where, fmpz_sgn(c[zero_at_left ? 1 : 0]), zero_at_left, zero_at_right);
     if (variations <= 1) return;
+    if (const auto inner = without_gap(where)) {
+      if (inner->depth < kNoRoot) visit_exactly(*inner, zero_at_left);
+      return;
+    }
     for (slong i = 0; i <= n; ++i) fmpz_mul(c[i], c[i], multipliers_[i]);
     split({where, FixedPointBernstein(c)});
+  }
+
+  /// The part next to 0 or 1 of an interval that ends there, if it has all of its roots but 0 and 1 and is
+  /// far smaller; of the depth kNoRoot if there are none. Roots near 1e-300 would ask for a thousand
+  /// bisections.
+  std::optional<DeepDyadicInterval> without_gap(const DeepDyadicInterval& where) {
+    const auto unit = [](long depth) { return Integer(1) << static_cast<unsigned long>(depth); };
+    const bool is_first = where.index == 0, is_last = where.index + 1 == unit(where.depth);
+    if (is_first == is_last) return std::nullopt;
+    const long depth = root_free_depth(is_first ? on_unit_.value : reversed(), where.depth);
+    if (depth < where.depth + least_gap) return std::nullopt;
+    if (is_first || depth == kNoRoot) return DeepDyadicInterval{0, depth};
+    return DeepDyadicInterval{unit(depth) - 1, depth};
+  }
+
+  /// on_unit_ at 1 - t.
+  const fmpz_poly_struct* reversed() {
+    if (reversed_.value->length == 0) {
+      const FlintInteger one(Integer(1)), minus_one(Integer(-1));
+      substitute_affine(reversed_.value, on_unit_.value, one.value, minus_one.value, one.value);
+    }
+    return reversed_.value;
   }
 
   /// t^i (1-t)^(n-i) coefficients on the interval, up to a positive factor.
@@ -175,7 +205,8 @@ class Isolator {
   Rational a_;
   Rational width_;
   bool unit_;
-  FlintPolynomial on_unit_;  // f(a + t(b-a)) up to a positive factor
+  FlintPolynomial on_unit_;   // f(a + t(b-a)) up to a positive factor
+  FlintPolynomial reversed_;  // 0 until it is asked for
   FlintVector multipliers_;
   std::vector<Node> open_;  // the rightmost first
   std::vector<IsolatingInterval> found_;

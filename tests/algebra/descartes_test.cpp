@@ -1,5 +1,6 @@
 #include <exsect/algebra/bernstein.h>
 #include <exsect/algebra/descartes.h>
+#include <exsect/algebra/sturm.h>
 
 #include <stdexcept>
 
@@ -84,6 +85,55 @@ TEST_CASE("isolate_roots: close roots") {
                                       Rational(1, 3) + 2 * power_of_two(-gap)};
     INFO("gap " << gap);
     check_roots(with_roots(roots), 0, 1, roots);
+  }
+}
+
+TEST_CASE("isolate_roots: roots near the ends") {
+  for (const long depth : {13L, 60L, 300L, 1500L}) {
+    const Rational near = power_of_two(-depth);
+    std::vector<Rational> small = {near / 3, near / 2, near * 2 / 3, near * 1000, near * near / 7};
+    std::vector<Rational> roots = {Rational(1, 3), Rational(1, 2), Rational(4, 5)};
+    for (const Rational& root : small) {
+      roots.push_back(root);
+      roots.push_back(1 - root);
+    }
+    INFO("depth " << depth);
+    check_roots(with_roots(roots), 0, 1, test::sorted(roots));
+    check_roots(with_roots(small), 0, 1, test::sorted(small));
+    small.push_back(0);
+    check_roots(with_roots(small), 0, 1, test::sorted(small));
+    check_roots(with_roots(small).compose(Polynomial({Rational(1, 7), -1})), Rational(-6, 7), Rational(1, 7),
+                [&] {
+                  std::vector<Rational> turned;
+                  for (const Rational& root : small) turned.push_back(Rational(1, 7) - root);
+                  return test::sorted(turned);
+                }());
+    const Polynomial twice = test::linear_factor(near / 3) * test::linear_factor(near / 3);
+    CHECK_THROWS_AS(isolate_roots(twice * with_roots({Rational(1, 3)}), 0, 1), std::invalid_argument);
+  }
+}
+
+TEST_CASE("isolate_roots: random roots of all sizes") {
+  const std::uint64_t seed = 20240344;
+  INFO("seed " << seed);
+  test::Random random(seed);
+  for (int i = 0; i < 100; ++i) {
+    std::vector<Rational> roots;
+    for (int k = random.integer(1, 12); k > 0; --k) {
+      const Rational root = power_of_two(-random.integer(0, 10 << (i % 8))) * random.integer(1, 99) / 100;
+      roots.push_back(random.integer(0, 1) == 0 ? root : 1 - root);
+    }
+    roots = test::sorted(roots);
+    // Complex roots of all sizes.
+    Polynomial f = with_roots(roots);
+    for (int k = random.integer(0, 4); k > 0; --k)
+      f *= Polynomial({power_of_two(-random.integer(0, 20 << (i % 8))),
+                       random.integer(-1, 1) * power_of_two(-random.integer(10 << (i % 8), 11 << (i % 8))),
+                       1});
+    if (!is_squarefree(f)) continue;
+    INFO("case " << i);
+    test::check_isolating(f, 0, 1, isolate_roots(f, 0, 1));
+    CHECK(static_cast<int>(isolate_roots(f, 0, 1).size()) == SturmSequence(f).count_closed(0, 1));
   }
 }
 

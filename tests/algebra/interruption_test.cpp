@@ -32,11 +32,12 @@ bool ends_at(int n, const Work& work) {
   }
 }
 
-/// (t - 2^-3000)(t - 2^-3001)(t - 1/3)...: bisection takes thousands of steps.
-Polynomial roots_near_zero() {
+/// Roots at 2/5, at 2/5 + 2^-3000, and at 1/3: bisection takes thousands of steps.
+Polynomial close_roots() {
   const Rational tiny = Rational(1) / Rational(Integer(1) << 3000);
   const Polynomial t = Polynomial::variable();
-  return (t - Polynomial(tiny)) * (t - Polynomial(tiny / 2)) * (t - Polynomial(Rational(1, 3)));
+  const Rational at(2, 5);
+  return (t - Polynomial(at)) * (t - Polynomial(at + tiny)) * (t - Polynomial(Rational(1, 3)));
 }
 
 }  // namespace
@@ -64,7 +65,7 @@ TEST_CASE("a scope that an exception leaves is asked no more") {
 
 TEST_CASE(
     "isolation of roots, refinement and resultants end at any step, and do the same when called again") {
-  const Polynomial f = roots_near_zero();
+  const Polynomial f = close_roots();
   const std::vector<RealAlgebraic> roots = real_roots(f, 0, 1);
   REQUIRE(roots.size() == 3);
   const auto isolate = [&] { real_roots(f, 0, 1); };
