@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "filter/rounded_number.h"
+
 namespace exsect {
 namespace {
 
@@ -73,23 +75,31 @@ bool is_apex_common(const ImplicitSurface& cone, const ImplicitSurface& other) {
   return cone.kind() == SurfaceKind::cone && other.equation()(cone.data()->point) == 0;
 }
 
+/// Of a direction, by its length and by rounding its turns.
+constexpr double kDirectionError = 0x1p-49;
+
+std::array<DoubleBall, 2> circle(const RoundCoordinate& v, double reach) {
+  // cos (x + h) = cos x cos h - sin x sin h, |sin h| <= |h|, |cos h - 1| <= h^2 / 2.
+  const double half_square = reach * reach / 2;
+  return {
+      DoubleBall(v[0], (std::fabs(v[1]) * reach + std::fabs(v[0]) * half_square + kDirectionError) * kSlack),
+      DoubleBall(v[1], (std::fabs(v[0]) * reach + std::fabs(v[1]) * half_square + kDirectionError) * kSlack)};
+}
+
 }  // namespace
 
 RoundCoordinate turned(const RoundCoordinate& v, double x) {
   // The terms that are left out are below 2^-52 for |x| <= 1, and sums and products err by 2^-51.
   const double y = x * x;
-  const double c =
-      1 - y / 2 *
-              (1 - y / 12 *
-                       (1 - y / 30 *
-                                (1 - y / 56 * (1 - y / 90 * (1 - y / 132 * (1 - y / 182 * (1 - y / 240)))))));
-  const double s =
-      x *
-      (1 -
-       y / 6 *
-           (1 -
-            y / 20 *
-                (1 - y / 42 * (1 - y / 72 * (1 - y / 110 * (1 - y / 156 * (1 - y / 210 * (1 - y / 272))))))));
+  double c = 1. / 20922789888000, s = 1. / 355687428096000;
+  for (const double inverse :
+       {1. / 87178291200, 1. / 479001600, 1. / 3628800, 1. / 40320, 1. / 720, 1. / 24, 1. / 2})
+    c = inverse - y * c;
+  for (const double inverse :
+       {1. / 1307674368000, 1. / 6227020800, 1. / 39916800, 1. / 362880, 1. / 5040, 1. / 120, 1. / 6})
+    s = inverse - y * s;
+  c = 1 - y * c;
+  s = x - x * (y * s);
   const double a = v[0] * c - v[1] * s, b = v[0] * s + v[1] * c;
   const double scale = 1.5 - 0.5 * (a * a + b * b);
   return {a * scale, b * scale};
@@ -106,7 +116,7 @@ std::optional<RoundChart> RoundChart::of(const ImplicitSurface& first, const Imp
   if (second.kind() == SurfaceKind::plane && first.kind() != SurfaceKind::torus) return std::nullopt;
   if (is_apex_common(first, second) || is_apex_common(second, first)) return std::nullopt;
   RoundChart chart;
-  chart.kind_ = first.kind();
+  chart.balls_.kind = first.kind();
   const SurfaceData &one = *first.data(), &other = *second.data();
   Point centre = one.point;
   if (first.kind() == SurfaceKind::cylinder) {
@@ -135,50 +145,54 @@ std::optional<RoundChart> RoundChart::of(const ImplicitSurface& first, const Imp
   const Point off = inverse_unit * apart;
   for (std::size_t i = 0; i < 3; ++i) {
     const DoubleBall inverse = inverse_root_ball(dot(raw[i], raw[i]));
-    for (std::size_t k = 0; k < 3; ++k) chart.axes_[i][k] = DoubleBall::enclosing(raw[i][k]) * inverse;
-    chart.offset_[i] = DoubleBall::enclosing(dot(raw[i], off)) * inverse;
-    chart.direction_[i] = DoubleBall::enclosing(dot(raw[i], b)) * inverse * shorter;
-    chart.centre_[i] = DoubleBall::enclosing(centre[i]);
+    for (std::size_t k = 0; k < 3; ++k) chart.balls_.axes[i][k] = DoubleBall::enclosing(raw[i][k]) * inverse;
+    chart.balls_.offset[i] = DoubleBall::enclosing(dot(raw[i], off)) * inverse;
+    chart.balls_.direction[i] = DoubleBall::enclosing(dot(raw[i], b)) * inverse * shorter;
+    chart.balls_.centre[i] = DoubleBall::enclosing(centre[i]);
   }
-  chart.offset_squared_ = DoubleBall::enclosing(dot(off, off));
-  chart.offset_along_ = DoubleBall::enclosing(dot(b, off)) * shorter;
+  chart.balls_.offset_squared = DoubleBall::enclosing(dot(off, off));
+  chart.balls_.offset_along = DoubleBall::enclosing(dot(b, off)) * shorter;
   chart.set_profile(first);
   chart.set_equation(second);
-  return chart.set_range(first, second) ? std::optional(chart) : std::nullopt;
+  if (!chart.set_range(first, second)) return std::nullopt;
+  chart.set_doubles();
+  return chart;
 }
 
 void RoundChart::set_profile(const ImplicitSurface& surface) {
+  balls_.unit = unit_;
   const DoubleBall inverse(surface.kind() == SurfaceKind::cone ? 1.0 : 1 / unit_);
-  major_ = root_ball(surface.data()->squared) * inverse;
-  minor_ = surface.kind() == SurfaceKind::torus ? root_ball(surface.data()->minor_squared) * inverse
-                                                : DoubleBall(0);
+  balls_.major = root_ball(surface.data()->squared) * inverse;
+  balls_.minor = surface.kind() == SurfaceKind::torus ? root_ball(surface.data()->minor_squared) * inverse
+                                                      : DoubleBall(0);
 }
 
 void RoundChart::set_equation(const ImplicitSurface& surface) {
   const Rational inverse_unit = 1 / (from_double(unit_) * from_double(unit_));
   const Rational& squared = surface.data()->squared;
-  linear_ = 1;
+  balls_.linear = 1;
   switch (surface.kind()) {
     case SurfaceKind::plane:
-      linear_ = 0;
-      along_ = 1;
+      balls_.linear = 0;
+      balls_.along = 1;
       return;
     case SurfaceKind::cylinder:
-      quadratic_ = -1;
-      constant_ = -DoubleBall::enclosing(Rational(squared * inverse_unit));
+      balls_.quadratic = -1;
+      balls_.constant = -DoubleBall::enclosing(Rational(squared * inverse_unit));
       return;
     case SurfaceKind::cone:
-      quadratic_ = -DoubleBall::enclosing(Rational(1 + squared));
+      balls_.quadratic = -DoubleBall::enclosing(Rational(1 + squared));
       has_one_nappe_ = surface.bound().has_value();
       return;
     case SurfaceKind::torus:
-      has_square_ = true;
-      shift_ = DoubleBall::enclosing(Rational((squared - surface.data()->minor_squared) * inverse_unit));
-      quadratic_ = DoubleBall::enclosing(Rational(4 * squared * inverse_unit));
-      linear_ = -quadratic_;
+      balls_.has_square = true;
+      balls_.shift =
+          DoubleBall::enclosing(Rational((squared - surface.data()->minor_squared) * inverse_unit));
+      balls_.quadratic = DoubleBall::enclosing(Rational(4 * squared * inverse_unit));
+      balls_.linear = -balls_.quadratic;
       return;
     default:
-      constant_ = -DoubleBall::enclosing(Rational(squared * inverse_unit));
+      balls_.constant = -DoubleBall::enclosing(Rational(squared * inverse_unit));
   }
 }
 
@@ -188,7 +202,7 @@ bool RoundChart::set_range(const ImplicitSurface& chart, const ImplicitSurface& 
   double reach = 0;
   if (const double distance = reach_from_centre(other); distance > 0) {
     // |P - c'| is at most that, and |P - c| at least |b|.
-    reach = (distance / unit_ + std::sqrt(offset_squared_.upper_magnitude())) * kSlack;
+    reach = (distance / unit_ + std::sqrt(balls_.offset_squared.upper_magnitude())) * kSlack;
   } else {
     constexpr int count = 32;
     RoundPlace place{{RoundCoordinate{1, 0}, RoundCoordinate{0, 0}}};
@@ -208,104 +222,60 @@ bool RoundChart::set_range(const ImplicitSurface& chart, const ImplicitSurface& 
   return true;
 }
 
-RoundChart::Circle RoundChart::circle(const RoundCoordinate& v, double reach) {
-  // cos (x + h) = cos x cos h - sin x sin h, |sin h| <= |h|, |cos h - 1| <= h^2 / 2; 2^-49 for the length.
-  const double half_square = reach * reach / 2;
-  return {DoubleBall(v[0], (std::fabs(v[1]) * reach + std::fabs(v[0]) * half_square + 0x1p-49) * kSlack),
-          DoubleBall(v[1], (std::fabs(v[0]) * reach + std::fabs(v[1]) * half_square + 0x1p-49) * kSlack)};
+/// The errors of both kinds of numbers stand for directions of length 1.
+void RoundChart::set_doubles() {
+  doubles_ = balls_.mapped<double>([](const DoubleBall& x) { return x.approximation(); });
+  const auto bounds = balls_.mapped<RoundedNumber>(RoundedNumber::of);
+  const RoundedNumber unknown(1 + kDirectionError, kDirectionError);
+  RoundAngles<RoundedNumber> all{{unknown, unknown}, {unknown, unknown}};
+  if (!is_closed()) all.along[0] = quick_reach_ = larger_bound(-range_[0], range_[1]) + 1;
+  const auto f = bounds.derivatives(all);
+  // Both formulas for the value are used.
+  errors_.value = larger_bound(f.value.error(), bounds.value(all).error());
+  for (std::size_t i = 0; i < 2; ++i) errors_.first[i] = f.first[i].error();
+  for (std::size_t i = 0; i < 3; ++i) errors_.second[i] = f.second[i].error();
+  const auto x = bounds.position(all);
+  position_error_ = larger_bound(x[0].error(), x[1].error(), x[2].error());
 }
 
-/// (17.33)
-RoundChart::Profile RoundChart::profile(const RoundBox& box) const {
-  const RoundCoordinate& at = box.centre.at[1];
-  if (kind_ == SurfaceKind::torus) {
-    const auto [c, s] = circle(at, box.reach[1]);
-    const DoubleBall x = minor_ * c, y = minor_ * s, two = major_ + major_;
-    return {{major_ + x, -y, -x},
-            {y, x, -y},
-            {major_ * major_ + minor_ * minor_ + two * x, -(two * y), -(two * x)}};
-  }
-  const DoubleBall b = DoubleBall(at[0]).widened(box.reach[1]);
-  if (kind_ == SurfaceKind::cylinder) return {{major_, 0, 0}, {b, 1, 0}, {major_ * major_ + b * b, b + b, 2}};
-  const DoubleBall k = major_ * major_ + 1, two = k + k;
-  return {{major_ * b, major_, 0}, {b, 1, 0}, {k * b * b, two * b, two}};
+RoundAngles<DoubleBall> RoundChart::angles(const RoundBox& box) const {
+  return {circle(box.centre.at[0], box.reach[0]),
+          is_closed() ? circle(box.centre.at[1], box.reach[1])
+                      : std::array<DoubleBall, 2>{DoubleBall(box.centre.at[1][0]).widened(box.reach[1]), 0}};
 }
 
-RoundJet RoundChart::jet(const RoundBox& box) const {
-  const auto [c, s] = circle(box.centre.at[0], box.reach[0]);
-  const Profile p = profile(box);
-  const auto &d = offset_, &b = direction_;
-  const DoubleBall g = d[0] * c + d[1] * s, dg = d[1] * c - d[0] * s;
-  const DoubleBall h = b[0] * c + b[1] * s, dh = b[1] * c - b[0] * s;
-  const DoubleBall two(2);
-  const DoubleBall n = p.square[0] + offset_squared_ - two * (p.rho[0] * g + p.z[0] * d[2]);
-  const DoubleBall t = p.rho[0] * h + p.z[0] * b[2] - offset_along_;
-  const std::array<DoubleBall, 2> n1 = {-(two * p.rho[0] * dg),
-                                        p.square[1] - two * (p.rho[1] * g + p.z[1] * d[2])};
-  const std::array<DoubleBall, 2> t1 = {p.rho[0] * dh, p.rho[1] * h + p.z[1] * b[2]};
-  const std::array<DoubleBall, 3> n2 = {two * p.rho[0] * g, -(two * p.rho[1] * dg),
-                                        p.square[2] - two * (p.rho[2] * g + p.z[2] * d[2])};
-  const std::array<DoubleBall, 3> t2 = {-(p.rho[0] * h), p.rho[1] * dh, p.rho[2] * h + p.z[2] * b[2]};
-  const DoubleBall twice_q = two * quadratic_;
-  DoubleBall by_n = linear_, by_t = twice_q * t + DoubleBall(along_);
-  RoundJet f;
-  f.value = linear_ * n + (quadratic_ * t + DoubleBall(along_)) * t + constant_;
-  if (has_square_) {
-    const DoubleBall shifted = n + shift_;
-    f.value += shifted * shifted;
-    by_n += two * shifted;
-  }
-  for (std::size_t i = 0; i < 2; ++i) f.first[i] = by_n * n1[i] + by_t * t1[i];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = k / 2, j = (k + 1) / 2;
-    f.second[k] = by_n * n2[k] + by_t * t2[k] + twice_q * t1[i] * t1[j];
-    if (has_square_) f.second[k] += two * n1[i] * n1[j];
-  }
-  return f;
+RoundJet RoundChart::jet(const RoundBox& box) const { return balls_.derivatives(angles(box)); }
+
+RoundJet RoundChart::quick_jet(const RoundPlace& place) const {
+  const RoundDerivatives<double> f = doubles_.derivatives(angles(place));
+  const auto &f1 = f.first, &e1 = errors_.first;
+  const auto &f2 = f.second, &e2 = errors_.second;
+  if (!is_quick(place)) return jet(place);
+  return {{f.value, errors_.value},
+          {DoubleBall(f1[0], e1[0]), DoubleBall(f1[1], e1[1])},
+          {DoubleBall(f2[0], e2[0]), DoubleBall(f2[1], e2[1]), DoubleBall(f2[2], e2[2])}};
 }
 
-DoubleBall RoundChart::value(const RoundPlace& place) const {
-  const auto [c, s] = circle(place.at[0], 0);
-  const Profile p = profile({place, {}});
-  const auto &d = offset_, &b = direction_;
-  const DoubleBall n =
-      p.square[0] + offset_squared_ - DoubleBall(2) * (p.rho[0] * (d[0] * c + d[1] * s) + p.z[0] * d[2]);
-  const DoubleBall t = p.rho[0] * (b[0] * c + b[1] * s) + p.z[0] * b[2] - offset_along_;
-  const DoubleBall f = linear_ * n + (quadratic_ * t + DoubleBall(along_)) * t + constant_;
-  return has_square_ ? f + (n + shift_) * (n + shift_) : f;
-}
-
-/// H of the other surface.
-DoubleBall RoundChart::height(const RoundBox& box) const {
-  const auto [c, s] = circle(box.centre.at[0], box.reach[0]);
-  const Profile p = profile(box);
-  return p.rho[0] * (direction_[0] * c + direction_[1] * s) + p.z[0] * direction_[2] - offset_along_;
-}
+DoubleBall RoundChart::value(const RoundPlace& place) const { return balls_.value(angles({place, {}})); }
 
 bool RoundChart::is_on_other_nappe(const RoundBox& box) const {
-  return has_one_nappe_ && height(box).is_negative();
+  return has_one_nappe_ && balls_.height(angles(box)).is_negative();
 }
 
 int RoundChart::side(const RoundBox& box) const {
   const int on_chart = is_half_ ? DoubleBall(box.centre.at[1][0]).widened(box.reach[1]).certain_sign() : 1;
-  const int on_other = has_one_nappe_ ? height(box).certain_sign() : 1;
+  const int on_other = has_one_nappe_ ? balls_.height(angles(box)).certain_sign() : 1;
   if (on_chart < 0 || on_other < 0) return -1;
   return std::min(on_chart, on_other);
 }
 
 std::array<DoubleBall, 3> RoundChart::position(const RoundBox& box) const {
-  const auto [c, s] = circle(box.centre.at[0], box.reach[0]);
-  const Profile p = profile(box);
-  std::array<DoubleBall, 3> at;
-  for (std::size_t k = 0; k < 3; ++k)
-    at[k] = centre_[k] +
-            DoubleBall(unit_) * (p.rho[0] * (c * axes_[0][k] + s * axes_[1][k]) + p.z[0] * axes_[2][k]);
-  return at;
+  return balls_.position(angles(box));
 }
 
 std::array<double, 2> RoundChart::speeds(const RoundBox& box) const {
-  const Profile p = profile(box);
-  const double along = is_closed() ? minor_.upper_magnitude()
+  const auto p = balls_.profile(angles(box));
+  const double along = is_closed() ? balls_.minor.upper_magnitude()
                                    : length_bound(p.rho[1].upper_magnitude(), p.z[1].upper_magnitude(), 0);
   return {p.rho[0].upper_magnitude() * unit_, along * unit_};
 }
@@ -313,7 +283,7 @@ std::array<double, 2> RoundChart::speeds(const RoundBox& box) const {
 /// (17.35)
 RoundMotion RoundChart::motion(const RoundBox& box, std::size_t axis, const DoubleBall& slope,
                                const DoubleBall& bend) const {
-  const Profile p = profile(box);
+  const auto p = balls_.profile(angles(box));
   const DoubleBall unit(unit_), none(0), one(1);
   const DoubleBall &a1 = axis == 0 ? one : slope, &b1 = axis == 0 ? slope : one;
   const DoubleBall &a2 = axis == 0 ? none : bend, &b2 = axis == 0 ? bend : none;

@@ -6,7 +6,10 @@
 #include <exsect/geometry/implicit_surface.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
+
+#include "filter/round_formula.h"
 
 namespace exsect {
 
@@ -26,12 +29,7 @@ struct RoundBox {
   std::array<double, 2> reach{};
 };
 
-/// A function with its first and second derivatives (by the coordinates 00, 01, 11).
-struct RoundJet {
-  DoubleBall value;
-  std::array<DoubleBall, 2> first;
-  std::array<DoubleBall, 3> second;
-};
+using RoundJet = RoundDerivatives<DoubleBall>;
 
 /// First and second derivative of a position, in the directions away from the axis, around it, and along it.
 struct RoundMotion {
@@ -52,7 +50,7 @@ class RoundChart {
   static std::optional<RoundChart> of(const ImplicitSurface& first, const ImplicitSurface& second);
 
   /// The second coordinate is an angle as well.
-  bool is_closed() const { return kind_ == SurfaceKind::torus; }
+  bool is_closed() const { return balls_.kind == SurfaceKind::torus; }
   /// Of the second coordinate, if it is no angle.
   const std::array<double, 2>& range() const { return range_; }
 
@@ -60,6 +58,11 @@ class RoundChart {
   RoundJet jet(const RoundBox& box) const;
   RoundJet jet(const RoundPlace& place) const { return jet({place, {}}); }
   DoubleBall value(const RoundPlace& place) const;
+  /// The same faster, with radii that are the same for all places of the chart.
+  RoundJet quick_jet(const RoundPlace& place) const;
+  DoubleBall quick_value(const RoundPlace& place) const {
+    return is_quick(place) ? DoubleBall(doubles_.value(angles(place)), errors_.value) : value(place);
+  }
   /// All points of the box are on a nappe that does not belong to the other surface.
   bool is_on_other_nappe(const RoundBox& box) const;
   /// 1: all points of the box are on the nappes that belong to the surfaces; -1: none are; 0: not known.
@@ -67,6 +70,11 @@ class RoundChart {
 
   /// In space.
   std::array<DoubleBall, 3> position(const RoundBox& box) const;
+  std::array<DoubleBall, 3> quick_position(const RoundPlace& place) const {
+    if (!is_quick(place)) return position({place, {}});
+    const auto [x, y, z] = doubles_.position(angles(place));
+    return {DoubleBall(x, position_error_), DoubleBall(y, position_error_), DoubleBall(z, position_error_)};
+  }
   /// Bounds of the lengths of the first derivatives of the position.
   std::array<double, 2> speeds(const RoundBox& box) const;
   /// Of a path with one coordinate as its parameter, and the slope and the bend as the first and second
@@ -83,35 +91,28 @@ class RoundChart {
   RoundPlace moved(const RoundPlace& from, std::size_t coordinate, double by) const;
 
  private:
-  struct Profile {
-    std::array<DoubleBall, 3> rho, z, square;  // rho^2 + z^2; with derivatives
-  };
-  struct Circle {
-    DoubleBall cosine, sine;
-  };
-
   RoundChart() = default;
   void set_profile(const ImplicitSurface& surface);
   void set_equation(const ImplicitSurface& surface);
   bool set_range(const ImplicitSurface& chart, const ImplicitSurface& other);
-  static Circle circle(const RoundCoordinate& v, double reach);
-  Profile profile(const RoundBox& box) const;
-  DoubleBall height(const RoundBox& box) const;
+  void set_doubles();
+  RoundAngles<DoubleBall> angles(const RoundBox& box) const;
+  static RoundAngles<double> angles(const RoundPlace& place) { return {place.at[0], place.at[1]}; }
 
-  SurfaceKind kind_ = SurfaceKind::torus;
-  DoubleBall major_, minor_;  // of a cylinder, and the slope of a cone: major_
+  /// The errors are those of this place, too.
+  bool is_quick(const RoundPlace& place) const {
+    return is_closed() || std::fabs(place.at[1][0]) <= quick_reach_;
+  }
+
+  RoundFormula<DoubleBall> balls_;
+  RoundFormula<double> doubles_;
   double unit_ = 1;
-  std::array<std::array<DoubleBall, 3>, 3> axes_;
-  std::array<DoubleBall, 3> centre_;
   std::array<double, 2> range_{};
-  // The other surface in the axes.
-  std::array<DoubleBall, 3> offset_;     // c' - c
-  std::array<DoubleBall, 3> direction_;  // b'
-  DoubleBall offset_squared_, offset_along_;
+  // Of quick values and positions, and of the second coordinate of their places if it is no angle.
+  double quick_reach_ = 0;
+  RoundDerivatives<double> errors_{};
+  double position_error_ = 0;
   bool is_of_second_ = false;
-  bool has_square_ = false;
-  DoubleBall shift_, linear_, quadratic_, constant_;
-  double along_ = 0;
   bool is_half_ = false;  // the chart's surface is one nappe, with b >= 0
   bool has_one_nappe_ = false;
 };

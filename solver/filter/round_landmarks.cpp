@@ -123,7 +123,7 @@ class RoundSearch {
   /// A zero near the place, by Newton's method, in a small box.
   std::optional<RoundBox> enclosed(RoundPlace place, bool is_fixed) const {
     for (int step = 0; step < 12; ++step) {
-      const RoundJet at = chart_.jet(place);
+      const RoundJet at = chart_.quick_jet(place);
       const auto c = inverse(jacobian_at(at, is_fixed));
       std::array<double, 2> move;
       for (std::size_t i = 0; i < 2; ++i)
@@ -131,7 +131,7 @@ class RoundSearch {
             -(c[i][0] * at.value.approximation() + (is_fixed ? 0 : c[i][1] * at.first[0].approximation()));
       const double size = std::max(std::fabs(move[0]), std::fabs(move[1]));
       if (!(size < 0.5) || !(std::fabs(move[0] + move[1]) < 1)) return std::nullopt;
-      if (size < 0x1p-40) return small_box(place, at, is_fixed);
+      if (size < 0x1p-40) return small_box(place, chart_.jet(place), is_fixed);
       for (std::size_t i = 0; i < (is_fixed ? 1U : 2U); ++i) place = chart_.moved(place, i, move[i]);
     }
     return std::nullopt;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "trace/bounded_vertex.h"
+
 namespace exsect {
 namespace {
 
@@ -41,6 +43,12 @@ class NodeCurve {
   double from_, length_;
   std::array<double, 6> c_;
 };
+
+BoundedVertex vertex(const std::array<DoubleBall, 3>& at, double error) {
+  BoundedVertex v{{{}, {at[0].approximation(), at[1].approximation(), at[2].approximation()}}, 0};
+  v.error = (at[0].radius() + at[1].radius() + at[2].radius() + error) * kSlack;
+  return v;
+}
 
 /// (17.36): K such that chords over steps h, which add_chords makes as short as K asks for, are within K h^2
 /// / 8 of the arc between two nodes.
@@ -98,7 +106,7 @@ class RoundPen {
   }
 
   BoundedVertex vertex_of(const RoundTube& tube, const NearCurve& near) const {
-    return vertex_at(chart_, {near.place, {}}, near.error * tube.speed + kOffsetError * tube.rate);
+    return vertex(chart_.quick_position(near.place), near.error * tube.speed + kOffsetError * tube.rate);
   }
 
   const RoundChart& chart_;
@@ -108,21 +116,14 @@ class RoundPen {
 
 }  // namespace
 
-BoundedVertex vertex_at(const RoundChart& chart, const RoundBox& box, double error) {
-  const std::array<DoubleBall, 3> at = chart.position(box);
-  BoundedVertex v{{{}, {at[0].approximation(), at[1].approximation(), at[2].approximation()}}, 0};
-  v.error = (length_bound(at[0].radius(), at[1].radius(), at[2].radius()) + error) * kSlack;
-  return v;
-}
-
 ArcPolyline round_polyline(const RoundChart& chart, const RoundTrace& trace, double tolerance) {
   RoundPen pen(chart, tolerance);
-  pen.line.add_vertex(vertex_at(chart, trace.ends[0], 0));
+  pen.line.add_vertex(vertex(chart.position(trace.ends[0]), 0));
   for (const auto& [tube, range] : trace.pieces) {
     interruption_point();
     pen.draw(tube, range.from(), range.to(), &tube == &trace.pieces.back().tube);
   }
-  pen.line.add_vertex(vertex_at(chart, trace.ends[1], 0));
+  pen.line.add_vertex(vertex(chart.position(trace.ends[1]), 0));
   return std::move(pen.line);
 }
 

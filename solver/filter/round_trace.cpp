@@ -38,7 +38,7 @@ class RoundCourse {
 
   const char* set_out(const RoundTrace&, const RoundBox& position) {
     position_ = position;
-    const RoundJet f = chart_.jet(position.centre);
+    const RoundJet f = chart_.quick_jet(position.centre);
     const std::array<double, 2> speed = chart_.speeds({position.centre, {}});
     const double a = f.first[0].approximation(), b = f.first[1].approximation();
     axis_ = std::fabs(b) * speed[0] >= std::fabs(a) * speed[1] ? 0 : 1;
@@ -61,7 +61,7 @@ class RoundCourse {
     for (int newton = 0; newton < 4; ++newton) {
       if (!(std::fabs(move) < 1)) return std::nullopt;
       centre = chart_.moved(centre, other, move);
-      const RoundJet f = chart_.jet(centre);
+      const RoundJet f = chart_.quick_jet(centre);
       move = -f.value.approximation() / f.first[other].approximation();
       if (std::fabs(move) < 0x1p-30) break;
     }

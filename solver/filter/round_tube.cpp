@@ -142,6 +142,17 @@ bool contains(const RoundTube& tube, const RoundBox& box) {
   return s.upper_magnitude() <= tube.reach && lateral(tube, box, s).upper_magnitude() <= tube.width;
 }
 
+namespace {
+
+/// Quick, unless only the radius is more than `wanted`.
+DoubleBall value_at(const RoundChart& chart, const RoundPlace& place, double wanted) {
+  const DoubleBall f = chart.quick_value(place);
+  const bool is_enough = std::fabs(f.approximation()) > 8 * f.radius() || f.upper_magnitude() < wanted / 2;
+  return is_enough ? f : chart.value(place);
+}
+
+}  // namespace
+
 NearCurve near_curve(const RoundTube& tube, double s, double guess, double wanted) {
   constexpr int most_steps = 12;
   constexpr double rounding = 0x1p-46;  // of moved places
@@ -154,7 +165,7 @@ NearCurve near_curve(const RoundTube& tube, double s, double guess, double wante
   for (int step = 0; step < most_steps && is_along; ++step) {
     if (!((std::fabs(off - line) + rounding) * kSlack < tube.width)) break;
     const RoundPlace here = tube.chart->moved(start, other, off);
-    const DoubleBall f = tube.chart->value(here);
+    const DoubleBall f = value_at(*tube.chart, here, wanted * tube.least);
     // The zero is at f / f_d(x) for some x between, and the next place at f / gradient.
     const double error = f.upper_magnitude() / tube.least * kSlack;
     const bool is_worse = !(error < best.error / 2);
@@ -193,7 +204,7 @@ DoubleBall minor_of(const RoundMotion& motion, std::size_t i, std::size_t k) {
 
 RoundArc arc_near(const RoundTube& tube, const NearCurve& near, double reach) {
   const std::size_t other = 1 - tube.axis;
-  const TubeJet at(tube.chart->jet(near.place), tube.axis);
+  const TubeJet at(tube.chart->quick_jet(near.place), tube.axis);
   const double slope = -at.along.approximation() / at.across.approximation();
   RoundBox box{near.place, {}};
   box.reach[tube.axis] = reach;

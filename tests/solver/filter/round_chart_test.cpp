@@ -105,6 +105,35 @@ TEST_CASE("round chart: boxes contain values and derivatives, which are those of
     }
 }
 
+TEST_CASE("round chart: quick values, derivatives and positions are those of balls, with their own radii") {
+  std::mt19937_64 generator(10);
+  for (const S& first : charted())
+    for (const S& second : others()) {
+      const auto chart = RoundChart::of(first, second);
+      if (!chart) continue;
+      for (int i = 0; i < 40; ++i) {
+        RoundPlace place = random_place(*chart, generator);
+        // The last ones are out of the range.
+        if (!chart->is_closed() && i > 30) place.at[1][0] = 70 * (i % 2 == 0 ? 1 : -1);
+        const auto apart = [](const DoubleBall& a, const DoubleBall& b) { return (a - b).lower_magnitude(); };
+        const RoundJet exact = chart->jet(place), quick = chart->quick_jet(place);
+        CHECK(apart(chart->quick_value(place), exact.value) == 0);
+        CHECK(apart(quick.value, exact.value) == 0);
+        for (std::size_t k = 0; k < 2; ++k) CHECK(apart(quick.first[k], exact.first[k]) == 0);
+        for (std::size_t k = 0; k < 3; ++k) CHECK(apart(quick.second[k], exact.second[k]) == 0);
+        const auto p = chart->position({place, {}}), q = chart->quick_position(place);
+        for (std::size_t k = 0; k < 3; ++k) CHECK(apart(p[k], q[k]) == 0);
+        // The radius of a ball at one place is no larger, but for the last bits.
+        CHECK(quick.value.radius() > (1 - 1e-9) * exact.value.radius());
+        CHECK(quick.second[1].radius() > (1 - 1e-9) * exact.second[1].radius());
+        CHECK(q[2].radius() > (1 - 1e-9) * p[2].radius());
+        // And not much smaller.
+        CHECK(quick.value.radius() < 1e-11 * (1 + exact.value.upper_magnitude()) + 32 * exact.value.radius());
+        CHECK(q[0].radius() < 1e-13 + 16 * p[0].radius());
+      }
+    }
+}
+
 TEST_CASE("round chart: motion along paths, by its lengths and the angle between both") {
   std::mt19937_64 generator(9);
   for (const S& first : charted()) {
