@@ -191,15 +191,19 @@ PoleOnPatch on_side(const Point& point, const SideOfPair& side) {
 }
 
 /// With (b,s) for (r,s), b across this side of y, in the order of y and back.
+void exchange(const SideOfPair& side, Parameter& p) {
+  if (side.fixed == 0) return;
+  if (p == Parameter::r || p == Parameter::s) p = p == Parameter::r ? Parameter::s : Parameter::r;
+}
 void exchange(const SideOfPair& side, PoleArc& arc) {
   RationalInterval& across = arc.on_other[0];
   if (side.value == 1) across = {1 - across.upper, 1 - across.lower};
   if (side.fixed == 1) std::swap(arc.on_other[0], arc.on_other[1]);
-}
-void exchange(const SideOfPair& side, std::vector<Parameter>& parameters) {
-  if (side.fixed == 0) return;
-  for (Parameter& p : parameters)
-    if (p == Parameter::r || p == Parameter::s) p = p == Parameter::r ? Parameter::s : Parameter::r;
+  for (Side& on : arc.on) exchange(side, on.parameter);
+  if (!arc.ray) return;
+  auto& [p, q] = arc.ray->on_other[0];
+  if (side.value == 1) arc.ray->on_other[0] = {1 - p, arc.ray->bend - q};
+  if (side.fixed == 1) std::swap(arc.ray->on_other[0], arc.ray->on_other[1]);
 }
 
 TurnedPair at_point(const SideOfPair& side, const RationalPatch& x, const RationalPatch& y,
@@ -214,7 +218,7 @@ TurnedPair at_common_pole(const SideOfPair& side, const RationalPatch& x, const 
                           const RationalPatch& y, double extent) {
   const auto near_pole = [=, turned = of_other.turned(y)](const Rational& reach,
                                                           std::vector<Parameter> turning) {
-    exchange(of_other, turning);
+    for (Parameter& p : turning) exchange(of_other, p);
     auto arcs = arcs_at_common_pole(x, turned, reach, turning);
     if (arcs)
       for (PoleArc& arc : *arcs) exchange(of_other, arc);

@@ -8,9 +8,12 @@
 #include <cmath>
 #include <utility>
 
+#include "answer/chord_count.h"
+#include "curve/polynomial_vector.h"
 #include "filter/filter.h"
 #include "filter/magnified_box.h"
 #include "side/collapsed_line.h"
+#include "special/pole_directions.h"
 
 namespace exsect {
 namespace {
@@ -22,7 +25,8 @@ const Rational kLeastReach = power_of_two(-24);
 constexpr double kPointRounding = 0x1p-50;
 
 bool is_drawn_by_chords(const PoleNeighbourhood& all, double tolerance) {
-  return std::ranges::all_of(all.arcs, [&](const PoleArc& arc) { return 2 * arc.bend <= tolerance; });
+  return std::ranges::all_of(all.arcs,
+                             [&](const PoleArc& arc) { return arc.ray || 2 * arc.bend <= tolerance; });
 }
 
 double size_of(const std::array<double, 3>& p) {
@@ -56,6 +60,25 @@ bool is_free(const RationalInterval& at) { return at.width() == 1; }
 /// The box of the arc over from <= a <= to.
 ParameterBox box_of(const PoleArc& arc, const Rational& from, const Rational& to) {
   return {RationalInterval{from, to}, arc.along, arc.on_other[0], arc.on_other[1]};
+}
+
+/// Of x_aa on the ray: with X - P X_4 = z w, z w' + z' w and so on as in (14.29).
+double second_derivative_bound(const PolePair& pair, const PoleRay& ray, double reach) {
+  const Rational width = power_of_two(-60);
+  const Rectangle on = {{0, from_double(reach)}, {ray.t - width, ray.t + width}};
+  const BivariatePolynomial w = pair.x.component(3);
+  const DoubleBall inverse = inverse_range(w, on), w_a = range_on(w.derivative_r(), on),
+                   w_aa = range_on(w.derivative_r().derivative_r(), on);
+  double square = 0;
+  for (const BivariatePolynomial& f : coordinates_from(pair.x, pair.pole.point)) {
+    const DoubleBall z = range_on(f, on) * inverse,
+                     z_a = (range_on(f.derivative_r(), on) - w_a * z) * inverse;
+    const double second =
+        ((range_on(f.derivative_r().derivative_r(), on) - DoubleBall(2) * w_a * z_a - w_aa * z) * inverse)
+            .upper_magnitude();
+    square += second * second;
+  }
+  return kSlack * std::sqrt(square);
 }
 
 /// Into the squares, and on the arc's sides.
@@ -113,6 +136,11 @@ Arc PoleDrawing::arc(std::size_t which, const PolylineVertex& end) const {
   drawn.place = first.on.empty() ? ArcPlace::interior : ArcPlace::patch_boundary;
   drawn.contact = first.contact;
   drawn.polyline = {end};
+  if (first.ray) {
+    add_ray(*first.ray, drawn);
+    std::ranges::reverse(drawn.polyline);
+    return drawn;
+  }
   const PoleArc* last = &first;
   for (std::size_t i = 1; i < levels_.size(); ++i) {
     const PoleArc* next = continued(*last, levels_[i]);
@@ -148,6 +176,31 @@ bool PoleDrawing::add_piece(const PoleArc& arc, const Rational& from, const Rati
   drawn.error_bound = larger_bound(drawn.error_bound, kSlack * (part.error_bound + moved));
   drawn.polyline.insert(drawn.polyline.end(), part.polyline.begin() + 1, part.polyline.end());
   return true;
+}
+
+/// All of the line x(.,t) to the pole: chords of the length d in a are within |x_aa| d^2 / 8 of it.
+void PoleDrawing::add_ray(const PoleRay& ray, Arc& drawn) const {
+  const double reach = to_double(levels_[0].reach), bend = second_derivative_bound(pair_, ray, reach);
+  const int n = chord_count(reach * std::sqrt(bend / (4 * run_.drawn_tolerance(pair_.extent))), 1);
+  for (int i = n; i >= 0; --i) {
+    const Rational a = levels_[0].reach * Rational(i, n);
+    PolylineVertex vertex = pole_vertex();
+    vertex.parameters[0] = to_double(a);
+    vertex.parameters[1] = to_double(ray.t);
+    for (std::size_t j = 0; j < 2; ++j)
+      vertex.parameters[2 + j] =
+          to_double((ray.on_other[j][0] + ray.on_other[j][1] * a) / (1 + ray.bend * a));
+    const Point at = pair_.x(a, ray.t);
+    for (std::size_t c = 0; c < 3; ++c) vertex.point[c] = to_double(at[c]);
+    if (i < n) {
+      drawn.polyline.push_back(vertex);
+      continue;
+    }
+    const double moved = distance_bound(vertex.point, drawn.polyline.back().point);
+    drawn.error_bound =
+        kSlack * (bend * (reach / n) * (reach / n) / 8 + moved +
+                  2 * kPointRounding * (size_of(vertex.point) + size_of(pole_vertex().point)));
+  }
 }
 
 /// To the pole.

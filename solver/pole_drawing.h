@@ -49,6 +49,7 @@ class PoleDrawing {
   PolylineVertex pole_vertex() const;
   const PoleArc* continued(const PoleArc& arc, const PoleNeighbourhood& inside) const;
   bool add_piece(const PoleArc& arc, const Rational& from, const Rational& to, Arc& drawn) const;
+  void add_ray(const PoleRay& ray, Arc& drawn) const;
   void add_chord(const PoleArc& arc, Arc& drawn) const;
 
   const PolePair& pair_;

@@ -15,6 +15,13 @@
 
 namespace exsect {
 
+/// The line x(.,t), on which r and s are (p + q a) / (1 + bend a), with the p and q of each; bend a > -1.
+struct PoleRay {
+  Rational t;
+  std::array<std::array<Rational, 2>, 2> on_other;
+  Rational bend;
+};
+
 /// From the pole to a = reach, with t and (r,s) in these intervals, which may reach beyond [0,1], and where
 /// it is the only one; a is strictly monotone along it, and every other parameter that was asked for strictly
 /// monotone or constant. It lies on the sides `on` of (a,t,r,s) as (u,v,r,s), and is inside of all others but
@@ -26,6 +33,7 @@ struct PoleArc {
   Contact contact;
   std::array<double, 3> step;
   double bend;
+  std::optional<PoleRay> ray = std::nullopt;  // if that is known
 };
 
 /// Makes (r,s) of an arc wider by a part of the wider direction, but not beyond `within`.

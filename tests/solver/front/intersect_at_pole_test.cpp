@@ -2,6 +2,7 @@
 // sections.
 #include "intersect_at_pole.h"
 
+#include <exsect/algebra/nearest_double.h>
 #include <exsect/solver/intersect.h>
 #include <exsect/solver/intersect_rational.h>
 #include <exsect/solver/redrawn.h>
@@ -443,6 +444,44 @@ TEST_CASE("intersect_at_pole: a polynomial cone that leaves its apex along a sid
     CHECK(difference(result.graph, intersect(y, cone).graph, {{2, 3, 0, 1}, {}}) == "");
     CHECK(difference(result.graph, intersect(cone.restricted_to(1, 0, 0, 1), y).graph,
                      {{0, 1, 2, 3}, {true}}) == "");
+  }
+}
+
+TEST_CASE("intersect_at_pole: constant parameters out of a common pole, whichever side it is") {
+  // Heights over the quadrant: x^2 and y^2 cross in the parabola over x = y, x^2 + y^2 and 2 (x^2 - x y +
+  // y^2) touch in it.
+  const auto cup = [](const Rational& p, const Rational& q, const Rational& r) {
+    const Rational half(1, 2), quarter(1, 4);
+    const Point o = {0, 0, 0};
+    return RationalPatch({{o, o, o},
+                          {{half, 0, 0}, {quarter, quarter, 0}, {0, half, 0}},
+                          {{1, 0, p}, {half, half, q}, {0, 1, r}}});
+  };
+  for (const bool is_contact : {false, true}) {
+    const RationalPatch x = is_contact ? cup(1, 0, 1) : cup(1, 0, 0),
+                        y = is_contact ? cup(2, -1, 2) : cup(0, 0, 1);
+    const IntersectResult result = blown_up(x, y);
+    REQUIRE(result.graph.arcs.size() == 1);
+    CHECK(result.graph.arcs[0].contact == (is_contact ? Contact::tangential : Contact::transversal));
+    CHECK(!result.coarse);
+    const RationalPatch reversed = y.restricted_to(1, 0, 0, 1);
+    for (const RationalPatch& other : {y, reversed, y.transposed(), reversed.transposed()})
+      for (const bool is_exchanged : {false, true}) {
+        const RationalPatch &first = is_exchanged ? other : x, &second = is_exchanged ? x : other;
+        const IntersectResult image = blown_up(first, second);
+        CHECK(image.graph.nodes.size() == result.graph.nodes.size());
+        REQUIRE(image.graph.arcs.size() == 1);
+        CHECK(image.graph.arcs[0].contact == result.graph.arcs[0].contact);
+        for (const PolylineVertex& vertex : image.graph.arcs[0].polyline) {
+          std::array<Rational, 4> at;
+          for (std::size_t j = 0; j < 4; ++j) at[j] = from_double(vertex.parameters[j]);
+          const Point p = first(at[0], at[1]), q = second(at[2], at[3]);
+          for (std::size_t c = 0; c < 3; ++c) {
+            CHECK(std::abs(to_double(p[c]) - to_double(q[c])) < 1e-5);
+            CHECK(std::abs(to_double(p[c]) - vertex.point[c]) < 1e-5);
+          }
+        }
+      }
   }
 }
 

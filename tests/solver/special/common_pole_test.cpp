@@ -126,9 +126,129 @@ TEST_CASE("common_pole: cups of other speeds have the same arcs") {
     }
 }
 
-TEST_CASE("common_pole: no answer for a double direction, and for directions of the ends") {
-  CHECK(!arcs_at_common_pole(cone(1, 0), cone(0, Rational(1, 2)), Rational(1, 256), {}));
-  CHECK(!arcs_at_common_pole(cone(1, 0), cone(0, 0), Rational(1, 256), {}));
+TEST_CASE("common_pole: cones that touch along a ruling, and common rulings at the ends") {
+  // 2 t (1 - t) has its greatest value, 1/2, at t = 1/2, and is 0 at the ends.
+  for (const long bits : {6, 8, 10}) {
+    const auto contact = arcs_at_common_pole(cone(1, 0), cone(0, Rational(1, 2)), power_of_two(-bits), kAll);
+    if (bits == 6 && !contact) continue;
+    REQUIRE(contact);
+    REQUIRE(contact->size() == 1);
+    CHECK(contact->front().contact == Contact::tangential);
+    REQUIRE(contact->front().ray);
+    CHECK(contact->front().ray->t == Rational(1, 2));
+    const auto ends = arcs_at_common_pole(cone(1, 0), cone(0, 0), power_of_two(-bits), kAll);
+    REQUIRE(ends);
+    REQUIRE(ends->size() == 2);
+    for (const int i : {0, 1}) {
+      const PoleArc& arc = (*ends)[static_cast<std::size_t>(i)];
+      CHECK(arc.contact == Contact::transversal);
+      CHECK(arc.on == std::vector<Side>{{Parameter::v, i}, {Parameter::s, i}});
+    }
+  }
+  // A little less, and there are two rulings; a little more, and there is none.
+  const Rational little(1, 1000);
+  const auto two = arcs_at_common_pole(cone(1, 0), cone(0, Rational(1, 2) - little), power_of_two(-14), kAll);
+  REQUIRE(two);
+  CHECK(two->size() == 2);
+  for (const PoleArc& arc : *two) CHECK(arc.contact == Contact::transversal);
+  const auto none =
+      arcs_at_common_pole(cone(1, 0), cone(0, Rational(1, 2) + little), power_of_two(-14), kAll);
+  REQUIRE(none);
+  CHECK(none->empty());
+}
+
+TEST_CASE("common_pole: cups that touch along a parabola, at any speed, and nearly do") {
+  // The difference of the heights is (k x - y)^2, or (k x - y)^2 and a little x y.
+  for (const Rational& k : {Rational(1), Rational(1, 2), Rational(3)})
+    for (const Rational& speed : {Rational(1), Rational(1, 2), Rational(3)})
+      for (const bool is_exchanged : {false, true}) {
+        CAPTURE(to_double(k), to_double(speed), is_exchanged);
+        const auto arcs_with = [&](const Rational& little) {
+          const RationalPatch x = cup(1, 0, 1), y = cup(1 + k * k, little - k, 2, speed);
+          return is_exchanged ? arcs_at_common_pole(y, x, power_of_two(-10), kAll)
+                              : arcs_at_common_pole(x, y, power_of_two(-10), kAll);
+        };
+        const auto arcs = arcs_with(0);
+        REQUIRE(arcs);
+        REQUIRE(arcs->size() == 1);
+        CHECK(arcs->front().contact == Contact::tangential);
+        REQUIRE(arcs->front().ray);
+        CHECK(arcs->front().ray->t == k / (1 + k));
+        CHECK(arcs->front().ray->on_other[1][0] == k / (1 + k));
+        CHECK(arcs->front().ray->on_other[0][1] == (is_exchanged ? speed : Rational(1 / speed)));
+        for (const Rational& little : {Rational(1, 1000), Rational(-1, 1000), Rational(1, 1000000)}) {
+          const auto near = arcs_with(little);
+          if (near)
+            for (const PoleArc& arc : *near) CHECK(arc.contact == Contact::transversal);
+          if (near) CHECK(near->size() == (little > 0 ? 0 : 2));
+        }
+      }
+}
+
+TEST_CASE("common_pole: a curve along which parameters are constant, with weights") {
+  // z = x^2 and z = y^2 over the quadrant, times what a projective map makes of it.
+  const auto mapped = [](const RationalPatch& patch, const Rational& p, const Rational& q) {
+    std::vector<std::vector<HomogeneousPoint>> net(3, std::vector<HomogeneousPoint>(3));
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        HomogeneousPoint& to = net[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+        to = patch.homogeneous(i, j);
+        to[3] += p * to[0] + q * to[1] + to[2] / 3;
+      }
+    return RationalPatch::from_homogeneous(net);
+  };
+  const RationalPatch u_again = cup(1, 0, 0).restricted_to(0, Rational(2, 3), 0, 1);
+  for (const auto& [p, q] : {std::pair(Rational(0), Rational(0)), {Rational(1, 4), Rational(1, 8)}}) {
+    const RationalPatch y = mapped(cup(0, 0, 1), p, q);
+    for (const RationalPatch& x : {mapped(cup(1, 0, 0), p, q), mapped(u_again, p, q)}) {
+      const auto arcs = arcs_at_common_pole(x, y, power_of_two(-10), kAll);
+      REQUIRE(arcs);
+      REQUIRE(arcs->size() == 1);
+      REQUIRE(arcs->front().ray);
+      const PoleRay& ray = *arcs->front().ray;
+      CHECK(ray.t == Rational(1, 2));
+      for (const Rational& a : {Rational(1, 7), Rational(1, 1024)}) {
+        const auto on_other = [&](std::size_t j) {
+          return Rational((ray.on_other[j][0] + ray.on_other[j][1] * a) / (1 + ray.bend * a));
+        };
+        CHECK(x(a, ray.t) == y(on_other(0), on_other(1)));
+      }
+      CHECK(arcs->front().contact == Contact::transversal);
+    }
+  }
+}
+
+TEST_CASE("common_pole: arcs in the direction of ends, inside, outside and along the side") {
+  // b (1 - s, s, 0) + b^2 (0, lean (1 - s)^2, 0), where y = 0 if s = -lean b (1 - s)^2.
+  const Point o = {0, 0, 0};
+  const Rational half(1, 2), quarter(1, 4);
+  const auto bent = [&](const Rational& lean) {
+    return RationalPatch({{o, o, o},
+                          {{half, 0, 0}, {quarter, quarter, 0}, {0, half, 0}},
+                          {{1, lean, 0}, {half, half, 0}, {0, 1, 0}}});
+  };
+  // The plane y = 0 in directions (1,0,-1) to (1,0,1), and (1,0,0) to (1,0,1).
+  const RationalPatch wall({{o, o}, {{1, 0, -1}, {1, 0, 1}}}), half_wall({{o, o}, {{1, 0, 0}, {1, 0, 1}}});
+  const std::vector<Parameter> all_but_of_wall = {Parameter::u, Parameter::v, Parameter::r};
+  for (const int lean : {-1, 0, 1})
+    for (const bool is_reversed : {false, true}) {
+      CAPTURE(lean, is_reversed);
+      const RationalPatch x = is_reversed ? bent(lean).restricted_to(0, 1, 1, 0) : bent(lean);
+      const auto arcs = arcs_at_common_pole(x, wall, power_of_two(-8), all_but_of_wall);
+      REQUIRE(arcs);
+      CHECK(arcs->size() == (lean > 0 ? 0 : 1));
+      const auto exchanged = arcs_at_common_pole(wall, x, power_of_two(-8), {});
+      REQUIRE(exchanged);
+      CHECK(exchanged->size() == arcs->size());
+      const auto at_both = arcs_at_common_pole(x, half_wall, power_of_two(-8), all_but_of_wall);
+      CHECK(at_both.has_value() == (lean >= 0));  // z = 0 along the curve: it stays on the side of the wall
+      if (lean > 0) CHECK(at_both->empty());
+      if (lean < 0) CHECK(arcs->front().on.empty());
+      if (lean != 0) continue;
+      CHECK(arcs->front().on == std::vector<Side>{{Parameter::v, is_reversed ? 1 : 0}});
+      REQUIRE(at_both->size() == 1);
+      CHECK(at_both->front().on == std::vector<Side>{{Parameter::v, is_reversed ? 1 : 0}, {Parameter::s, 0}});
+    }
 }
 
 TEST_CASE("common_pole: patches that come back to the pole, or have it not in common") {
