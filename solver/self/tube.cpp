@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trace/preconditioned_newton.h"
-
 namespace exsect {
 
 namespace {
@@ -14,189 +12,27 @@ namespace {
 // Underflow loses less than 2^-1000, far below.
 constexpr double kLeastHalfwidth = 0x1p-500;
 
-template <class Ball>
-std::optional<Matrix3> preconditioner(const ChartNet<Ball, 2>& taylor,
-                                      const std::array<std::size_t, 3>& others) {
-  std::array<Row3, 3> columns;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const BallVector<Ball>& c = taylor[chart_strides(2)[others[i]]];
-    columns[i] = {c[0].approximation(), c[1].approximation(), c[2].approximation()};
-  }
-  return approximate_inverse(columns);
+template <std::size_t W>
+TermExponents exponents_of(std::size_t i) {
+  return {exponent<W>(i, 0), exponent<W>(i, 1), exponent<W>(i, 2), exponent<W>(i, 3)};
 }
 
-/// Exponents of index i and the powers h^(exponents).
-template <std::size_t W>
-struct Monomial {
-  explicit Monomial(std::size_t i)
-      : power{exponent<W>(i, 0), exponent<W>(i, 1), exponent<W>(i, 2), exponent<W>(i, 3)},
-        degree(power[0] + power[1] + power[2] + power[3]) {}
-  std::array<std::size_t, 4> power;
-  std::size_t degree;
+/// Those of H (straight_tube.h).
+template <class Ball>
+struct ChartEquations {
+  using Number = Ball;
+  const ChartNet<Ball, 2>& net;
 
-  static double raised(double h, std::size_t n) { return n == 0 ? 1 : n == 1 ? h : h * h; }
-
-  double at(const std::array<double, 4>& h) const {
-    return raised(h[0], power[0]) * raised(h[1], power[1]) * raised(h[2], power[2]) * raised(h[3], power[3]);
-  }
-  /// The derivative with respect to variable j at h.
-  double derivative(const std::array<double, 4>& h, std::size_t j) const {
-    if (power[j] == 0) {
-      return 0;
-    }
-    double value = static_cast<double>(power[j]) * raised(h[j], power[j] - 1);
-    for (std::size_t i = 0; i < 4; ++i) {
-      value *= i == j ? 1 : raised(h[i], power[i]);
-    }
-    return value;
-  }
-  /// The second derivative at h in the direction a.
-  double second(const std::array<double, 4>& h, const std::array<double, 4>& a) const {
-    double sum = 0;
-    for (std::size_t j = 0; j < 4; ++j) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        Monomial rest = *this;
-        if (rest.power[j] == 0) {
-          continue;
-        }
-        double factor = static_cast<double>(rest.power[j]--);
-        if (rest.power[k] == 0) {
-          continue;
-        }
-        factor *= static_cast<double>(rest.power[k]--);
-        sum += factor * a[j] * a[k] * rest.at(h);
-      }
-    }
-    return sum;
+  template <class F>
+  void for_each_term(const F& f) const {
+    for (const std::size_t i : chart_support) f(exponents_of<2>(i), net[i]);
   }
 };
 
 template <class Ball>
-Row3 magnitudes(const BallVector<Ball>& v) {
-  return {v[0].upper_magnitude(), v[1].upper_magnitude(), v[2].upper_magnitude()};
-}
-
-/// |C H(p + tau d)| for |tau| <= reach.
-template <class Ball>
-Row3 residual_bounds(const ChartTube<Ball>& tube) {
-  BallVector<Ball> linear;
-  Row3 higher{};
-  std::array<double, 4> d{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    d[j] = std::fabs(tube.slope[j]) * tube.reach;
-    for (std::size_t row = 0; row < 3; ++row) {
-      linear[row] += tube.premultiplied[chart_strides(2)[j]][row] * Ball(tube.slope[j]);
-    }
-  }
-  for (const std::size_t i : chart_support) {
-    const Monomial<2> monomial(i);
-    if (monomial.degree < 2) {
-      continue;
-    }
-    const Row3 m = magnitudes(tube.premultiplied[i]);
-    const double at = monomial.at(d);
-    for (std::size_t row = 0; row < 3; ++row) {
-      higher[row] += m[row] * at;
-    }
-  }
-  Row3 result{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    result[row] = kSlack * (tube.premultiplied[0][row].upper_magnitude() +
-                            tube.reach * linear[row].upper_magnitude() + higher[row]);
-  }
-  return result;
-}
-
-/// Bounds of |C D_j(box) - ideal|, ideal = identity for j != axis and -d for j = axis: e[j][row].
-template <class Ball>
-std::array<Row3, 4> jacobian_deviation(const ChartTube<Ball>& tube, const std::array<std::size_t, 3>& others,
-                                       const std::array<double, 4>& h) {
-  std::array<Row3, 4> e{};
-  for (const std::size_t i : chart_support) {
-    const Monomial<2> monomial(i);
-    if (monomial.degree < 2) {
-      continue;
-    }
-    const Row3 m = magnitudes(tube.premultiplied[i]);
-    for (std::size_t j = 0; j < 4; ++j) {
-      const double derivative = monomial.derivative(h, j);
-      for (std::size_t row = 0; row < 3; ++row) {
-        e[j][row] += m[row] * derivative;
-      }
-    }
-  }
-  for (std::size_t j = 0; j < 4; ++j) {
-    for (std::size_t row = 0; row < 3; ++row) {
-      const Ball entry = tube.premultiplied[chart_strides(2)[j]][row];
-      const double ideal = j == tube.axis ? -tube.slope[others[row]] : (others[row] == j ? 1.0 : 0.0);
-      e[j][row] = kSlack * (e[j][row] + (entry - Ball(ideal)).upper_magnitude());
-    }
-  }
-  return e;
-}
-
-/// C DH z' = 0 and C (DH z'' + D2H[z',z']) = 0 with C DH = 1 + E on the columns other than k.
-template <class Ball>
-void bound_derivatives(ChartTube<Ball>& tube, const std::array<std::size_t, 3>& others,
-                       const std::array<double, 4>& h, const std::array<Row3, 4>& e) {
-  const double amplification = tube.contraction / (1 - tube.contraction) * kSlack;
-  Row3 first{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      first[row] += e[j][row] * std::fabs(tube.slope[j]);
-    }
-  }
-  const double steepest = *std::max_element(first.begin(), first.end());
-  tube.slope_error = {};
-  tube.second = {};
-  tube.second_error = {};
-  for (std::size_t row = 0; row < 3; ++row) {
-    tube.slope_error[others[row]] = kSlack * (first[row] + amplification * steepest);
-  }
-  std::array<double, 4> a{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    a[j] = std::fabs(tube.slope[j]) + tube.slope_error[j];
-  }
-  std::array<double, 4> magnitude{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    magnitude[j] = std::fabs(tube.slope[j]);
-  }
-  BallVector<Ball> centre;
-  Row3 deviation{};
-  for (const std::size_t i : chart_support) {
-    const Monomial<2> monomial(i);
-    if (monomial.degree < 2) {
-      continue;
-    }
-    // Terms of second order are taken at the centre and z' = d, everything else is deviation.
-    const bool at_centre = monomial.degree == 2;
-    const double form = at_centre ? monomial.second(h, tube.slope) : 0;
-    const double bound =
-        monomial.second(h, a) - (at_centre ? monomial.second(h, magnitude) : 0) * (1 - 0x1p-45);
-    const Row3 m = magnitudes(tube.premultiplied[i]);
-    for (std::size_t row = 0; row < 3; ++row) {
-      centre[row] += tube.premultiplied[i][row] * Ball(form).widened(0x1p-50 * monomial.second(h, magnitude));
-      deviation[row] += m[row] * bound;
-    }
-  }
-  double largest = 0;
-  for (std::size_t row = 0; row < 3; ++row) {
-    tube.second[others[row]] = -centre[row].approximation();
-    deviation[row] += (centre[row] - Ball(centre[row].approximation())).upper_magnitude();
-    largest = larger_bound(largest, std::fabs(tube.second[others[row]]) + deviation[row]);
-  }
-  for (std::size_t row = 0; row < 3; ++row) {
-    tube.second_error[others[row]] = kSlack * (deviation[row] + amplification * largest);
-  }
-}
-
-template <class Ball>
-std::array<double, 4> half_widths(const ChartTube<Ball>& tube) {
-  std::array<double, 4> h{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    h[j] = kSlack * (std::fabs(tube.slope[j]) * tube.reach + (j == tube.axis ? 0 : tube.halfwidth));
-  }
-  return h;
+std::array<BallVector<Ball>, 4> derivatives(const ChartNet<Ball, 2>& taylor) {
+  const auto stride = chart_strides(2);
+  return {taylor[stride[0]], taylor[stride[1]], taylor[stride[2]], taylor[stride[3]]};
 }
 
 /// The value of a Taylor net at an offset.
@@ -235,43 +71,41 @@ std::optional<ChartTube<Ball>> certify_tube(const ChartSystem<Ball>& system, con
     tube.centre[j] = centre[j].midpoint();
   }
   const ChartNet<Ball, 2> taylor = system.taylor(tube.centre);
-  const auto others = other_axes(axis);
-  const auto c = preconditioner(taylor, others);
-  if (!c) {
+  const auto line = linearised(derivatives(taylor), axis);
+  if (!line) {
     return std::nullopt;
   }
+  tube.slope = line->slope;
   for (const std::size_t i : chart_support) {
-    tube.premultiplied[i] = preconditioned(*c, taylor[i]);
+    tube.premultiplied[i] = preconditioned(line->preconditioner, taylor[i]);
   }
-  tube.slope[axis] = 1;
-  for (std::size_t row = 0; row < 3; ++row) {
-    tube.slope[others[row]] = -tube.premultiplied[chart_strides(2)[axis]][row].approximation();
-  }
-  const Row3 f = residual_bounds(tube);
+  const ChartEquations<Ball> g{tube.premultiplied};
+  const Row3 f = residual_on_line(g, axis, tube.slope, reach);
   tube.halfwidth = std::max({2 * *std::max_element(f.begin(), f.end()), least_halfwidth, kLeastHalfwidth});
   const std::array<double, 4> h = half_widths(tube);
-  const auto e = jacobian_deviation(tube, others, h);
-  tube.contraction = 0;
+  const JacobianDeviation e = jacobian_deviation(g, axis, tube.slope, h);
+  const Row3 sums = row_sums(e, axis);
   for (std::size_t row = 0; row < 3; ++row) {
-    const double sum = kSlack * (e[others[0]][row] + e[others[1]][row] + e[others[2]][row]);
-    // Krawczyk: the image f + E Z lies strictly inside Z.
-    if (!((f[row] + sum * tube.halfwidth) * kSlack < tube.halfwidth)) {
+    if (!((f[row] + sums[row] * tube.halfwidth) * kSlack < tube.halfwidth)) {  // (5.3)
       return std::nullopt;
     }
-    tube.contraction = larger_bound(tube.contraction, sum);
   }
-  bound_derivatives(tube, others, h, e);
+  tube.contraction = largest_of(sums);
+  tube.slope_error = slope_errors(e, axis, tube.slope, tube.contraction);
+  const SecondDerivative second =
+      second_derivative(g, axis, tube.slope, tube.slope_error, h, e, tube.contraction);
+  tube.second = second.middle;
+  tube.second_error = second.error;
   return tube;
 }
 
 template <class Ball>
 std::optional<BallPoint<Ball>> newton_corrected(const ChartSystem<Ball>& system, const BallPoint<Ball>& start,
                                                 std::size_t axis, int steps) {
-  const auto others = other_axes(axis);
   return newton_steps<Ball>(start, axis, steps, [&](const BallPoint<Ball>& p) {
     const ChartNet<Ball, 2> taylor = system.taylor(p);
-    const auto c = preconditioner(taylor, others);
-    return c ? std::optional(preconditioned(*c, taylor[0])) : std::nullopt;
+    const auto line = linearised(derivatives(taylor), axis);
+    return line ? std::optional(preconditioned(line->preconditioner, taylor[0])) : std::nullopt;
   });
 }
 
@@ -306,17 +140,7 @@ BallPoint<Ball> point_at(const ChartTube<Ball>& tube, double tau) {
 
 template <class Ball>
 bool contains(const ChartTube<Ball>& tube, const BallPoint<Ball>& box) {
-  const Ball tau = offset(tube, box);
-  if (!(tau.upper_magnitude() <= tube.reach)) {
-    return false;
-  }
-  for (const std::size_t j : other_axes(tube.axis)) {
-    const Ball e = box[j] - tube.centre[j] - tau * Ball(tube.slope[j]);
-    if (!(e.upper_magnitude() <= tube.halfwidth)) {
-      return false;
-    }
-  }
-  return true;
+  return contains_within(tube, box, tube.halfwidth);
 }
 
 template <class Ball>
@@ -329,13 +153,15 @@ double space_second_derivative(const ChartSystem<Ball>& system, const ChartTube<
     a[j] = std::fabs(tube.slope[j]) + tube.slope_error[j];
   }
   Row3 sum{};
+  const MonomialsAt monomials(h);
   for (std::size_t i = 0; i < net.size(); ++i) {
-    const Monomial<3> monomial(i);
-    double term = monomial.second(h, a);
+    const Row3 m = straight::magnitudes(net[i]);
+    if (m == Row3{}) continue;
+    const TermExponents e = exponents_of<3>(i);
+    double term = monomials.second(e, a);
     for (std::size_t j = 0; j < 4; ++j) {
-      term += monomial.derivative(h, j) * (std::fabs(tube.second[j]) + tube.second_error[j]);
+      term += monomials.derivative(e, j) * (std::fabs(tube.second[j]) + tube.second_error[j]);
     }
-    const Row3 m = magnitudes(net[i]);
     for (std::size_t c = 0; c < 3; ++c) {
       sum[c] += m[c] * term;
     }

@@ -5,20 +5,13 @@
 #include <optional>
 
 #include "self/chart.h"
+#include "trace/straight_tube.h"
 
 namespace exsect {
 
-/// Invariant (proved by certify_tube): for every tau in [-reach, reach] there is exactly one point z of
-/// the curve H = 0 with z_k = p_k + tau and |z_i - p_i - tau d_i| <= halfwidth for i != k; the three columns
-/// other than k of the Jacobian are independent on the whole region. p centre, k axis, d slope (d_k = 1).
+/// Invariant (proved by certify_tube): a straight tube of H = 0.
 template <class Ball>
-struct ChartTube {
-  BallPoint<Ball> centre;  // radius 0
-  std::size_t axis;
-  std::array<double, 4> slope;
-  double reach;
-  double halfwidth;
-  double contraction;
+struct ChartTube : StraightTube<Ball> {
   /// z'(tau) lies in slope +- slope_error, z''(tau) in second +- second_error, on all of the tube.
   std::array<double, 4> slope_error;
   std::array<double, 4> second;
@@ -42,12 +35,6 @@ std::optional<BallPoint<Ball>> newton_corrected(const ChartSystem<Ball>& system,
 /// An enclosure of the curve's point at tau, |tau| <= reach.
 template <class Ball>
 BallPoint<Ball> point_at(const ChartTube<Ball>& tube, double tau);
-
-/// The offset tau of a point's coordinate k, enclosed.
-template <class Ball>
-Ball offset(const ChartTube<Ball>& tube, const BallPoint<Ball>& point) {
-  return point[tube.axis] - tube.centre[tube.axis];
-}
 
 /// True only if the whole box lies in the tube's region: a curve point known to be in the box is then on its
 /// arc.

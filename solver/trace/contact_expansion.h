@@ -97,41 +97,47 @@ ContactPolynomial<Ball> coordinate_of_f(const Expansion<Ball>& at, std::size_t r
   return result;
 }
 
-/// The three equations.
+/// The three equations, c[t][row] (straight_tube.h).
 template <class Ball>
-using ContactEquations = std::array<ContactPolynomial<Ball>, 3>;
+struct ContactEquations {
+  using Number = Ball;
+  std::size_t axis;
+  std::array<BallVector<Ball>, ContactPolynomial<Ball>::size> c;
+
+  template <class F>
+  void for_each_term(const F& f) const {
+    const auto variables = contact_variables(axis);
+    exsect::for_each_term([&](std::size_t t, const std::array<std::size_t, 4>& e) {
+      std::array<std::size_t, 4> exponents{};
+      for (std::size_t v = 0; v < 4; ++v) exponents[variables[v]] = e[v];
+      f(exponents, c[t]);
+    });
+  }
+};
 
 template <class Ball>
 ContactEquations<Ball> contact_equations(const Expansion<Ball>& at, const std::array<std::size_t, 2>& rows,
                                          std::size_t axis) {
-  return {coordinate_of_f(at, rows[0], axis), coordinate_of_f(at, rows[1], axis),
-          tangent_component(at, axis)};
-}
-
-template <class Ball>
-ContactEquations<Ball> preconditioned(const Matrix3& c, const ContactEquations<Ball>& phi) {
-  ContactEquations<Ball> result;
-  for (std::size_t t = 0; t < ContactPolynomial<Ball>::size; ++t) {
-    const BallVector<Ball> column =
-        preconditioned(c, BallVector<Ball>{phi[0].c[t], phi[1].c[t], phi[2].c[t]});
-    for (std::size_t row = 0; row < 3; ++row) {
-      result[row].c[t] = column[row];
-    }
-  }
+  const auto a = coordinate_of_f(at, rows[0], axis), b = coordinate_of_f(at, rows[1], axis),
+             t = tangent_component(at, axis);
+  ContactEquations<Ball> result{axis, {}};
+  for (std::size_t i = 0; i < result.c.size(); ++i) result.c[i] = {a.c[i], b.c[i], t.c[i]};
   return result;
 }
 
-/// The first derivatives at the centre: [row][parameter].
 template <class Ball>
-std::array<std::array<Ball, 4>, 3> linear_part(const ContactEquations<Ball>& phi, std::size_t axis) {
-  const auto variables = contact_variables(axis);
-  std::array<std::array<Ball, 4>, 3> result;
+ContactEquations<Ball> preconditioned(const Matrix3& c, ContactEquations<Ball> phi) {
+  for (BallVector<Ball>& coefficient : phi.c) coefficient = preconditioned(c, coefficient);
+  return phi;
+}
+
+/// The first derivatives at the centre, by parameters.
+template <class Ball>
+std::array<BallVector<Ball>, 4> linear_part(const ContactEquations<Ball>& phi) {
+  const auto variables = contact_variables(phi.axis);
+  std::array<BallVector<Ball>, 4> result;
   constexpr std::array<std::size_t, 4> terms = {48, 16, 4, 1};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t v = 0; v < 4; ++v) {
-      result[row][variables[v]] = phi[row].c[terms[v]];
-    }
-  }
+  for (std::size_t v = 0; v < 4; ++v) result[variables[v]] = phi.c[terms[v]];
   return result;
 }
 

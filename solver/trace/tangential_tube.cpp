@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "trace/contact_jacobian.h"
+#include "trace/contact_expansion.h"
 
 namespace exsect {
 
@@ -45,45 +44,12 @@ std::optional<Linearisation> best_linearisation(const Expansion<Ball>& at,
                                                 const std::array<std::size_t, 2>& rows) {
   std::optional<Linearisation> best;
   for (std::size_t axis = 0; axis < 4; ++axis) {
-    const auto candidate = linearised(contact_equations(at, rows, axis), axis);
+    const auto candidate = linearised(linear_part(contact_equations(at, rows, axis)), axis);
     if (candidate && (!best || steepness(*candidate) < steepness(*best))) {
       best = candidate;
     }
   }
   return best;
-}
-
-/// |C Phi(p + tau d)| for |tau| <= reach, power by power of tau.
-template <class Ball>
-double residual_on_line(const ContactEquations<Ball>& g, std::size_t axis, const std::array<double, 4>& d,
-                        double reach) {
-  const auto variables = contact_variables(axis);
-  double largest = 0;
-  for (std::size_t row = 0; row < 3; ++row) {
-    std::array<Ball, 11> by_degree;
-    for_each_term([&](std::size_t t, const std::array<std::size_t, 4>& e) {
-      Ball term = g[row].c[t];
-      for (std::size_t v = 0; v < 4; ++v) {
-        for (std::size_t n = 0; n < e[v]; ++n) {
-          term *= Ball(d[variables[v]]);
-        }
-      }
-      by_degree[e[0] + e[1] + e[2] + e[3]] += term;
-    });
-    double sum = 0;
-    double scale = 1;
-    for (const Ball& coefficient : by_degree) {
-      sum += coefficient.upper_magnitude() * scale;
-      scale = std::max(scale * reach, std::numeric_limits<double>::min());
-    }
-    largest = larger_bound(largest, sum);
-  }
-  return kSlack * largest;
-}
-
-template <class Ball>
-Ball from_line(const TangentialTube<Ball>& tube, const BallPoint<Ball>& box, const Ball& tau, std::size_t j) {
-  return box[j] - tube.centre[j] - tau * Ball(tube.slope[j]);
 }
 
 }  // namespace
@@ -105,8 +71,8 @@ std::optional<TangentialTube<Ball>> certify_tangential_tube(const PairSystem<Bal
   }
   const Expansion<Ball> at(system, tube.centre);
   tube.rows = tangent_rows(at);
-  const auto line =
-      axis ? linearised(contact_equations(at, tube.rows, *axis), *axis) : best_linearisation(at, tube.rows);
+  const auto line = axis ? linearised(linear_part(contact_equations(at, tube.rows, *axis)), *axis)
+                         : best_linearisation(at, tube.rows);
   if (!line) {
     return std::nullopt;
   }
@@ -115,19 +81,15 @@ std::optional<TangentialTube<Ball>> certify_tangential_tube(const PairSystem<Bal
   tube.slope = line->slope;
   tube.reach = reach;
   tube.halfwidth = kWidthOfReach * reach;
-  std::array<double, 4> h{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    h[j] = kSlack * (std::fabs(tube.slope[j]) * reach + (j == tube.axis ? 0 : tube.halfwidth));
-  }
   const auto g = preconditioned(tube.preconditioner, contact_equations(at, tube.rows, tube.axis));
-  const JacobianDeviation e = jacobian_deviation(g, tube.axis, tube.slope, h);
-  tube.contraction = largest_row_sum(e, tube.axis);
-  const double f = residual_on_line(g, tube.axis, tube.slope, reach);
+  const JacobianDeviation e = jacobian_deviation(g, tube.axis, tube.slope, half_widths(tube));
+  tube.contraction = largest_of(row_sums(e, tube.axis));
+  const double f = largest_of(residual_on_line(g, tube.axis, tube.slope, reach));
   if (!(tube.contraction <= kWorstTangentialContraction) || !(16 * f <= tube.halfwidth)) {
     return std::nullopt;
   }
   tube.core = (tube.halfwidth - 8 * f) / (3 * kSlack);
-  tube.slope_error = kSlack * direction_residual(e, tube.slope) / (1 - tube.contraction);
+  tube.slope_error = slope_errors(e, tube.axis, tube.slope, tube.contraction);
   return tube;
 }
 
@@ -138,7 +100,7 @@ std::optional<BallPoint<Ball>> corrected_to_contact(const PairSystem<Ball>& syst
   return newton_steps<Ball>(start, axis, steps, [&](const BallPoint<Ball>& p) {
     const Expansion<Ball> at(system, p);
     const auto rows = tangent_rows(at);
-    const auto line = linearised(contact_equations(at, rows, axis), axis);
+    const auto line = linearised(linear_part(contact_equations(at, rows, axis)), axis);
     return line ? std::optional(preconditioned(line->preconditioner, contact_value(at, rows, axis)))
                 : std::nullopt;
   });
@@ -173,17 +135,8 @@ BallPoint<Ball> point_at(const PairSystem<Ball>& system, const TangentialTube<Ba
 }
 
 template <class Ball>
-Ball offset(const TangentialTube<Ball>& tube, const BallPoint<Ball>& point) {
-  return point[tube.axis] - tube.centre[tube.axis];
-}
-
-template <class Ball>
 bool contains(const TangentialTube<Ball>& tube, const BallPoint<Ball>& box) {
-  const Ball tau = offset(tube, box);
-  const auto others = other_axes(tube.axis);
-  return tau.upper_magnitude() <= tube.reach && std::all_of(others.begin(), others.end(), [&](std::size_t j) {
-           return from_line(tube, box, tau, j).upper_magnitude() <= tube.core;
-         });
+  return contains_within(tube, box, tube.core);
 }
 
 template <class Ball>
@@ -201,7 +154,6 @@ bool excludes(const TangentialTube<Ball>& tube, const BallPoint<Ball>& box) {
   template std::optional<BallPoint<Ball>> corrected_to_contact(const PairSystem<Ball>&,                   \
                                                                const BallPoint<Ball>&, std::size_t, int); \
   template BallPoint<Ball> point_at(const PairSystem<Ball>&, const TangentialTube<Ball>&, double);        \
-  template Ball offset(const TangentialTube<Ball>&, const BallPoint<Ball>&);                              \
   template bool contains(const TangentialTube<Ball>&, const BallPoint<Ball>&);                            \
   template bool excludes(const TangentialTube<Ball>&, const BallPoint<Ball>&);
 

@@ -10,27 +10,19 @@
 #include <array>
 #include <optional>
 
-#include "trace/pair_system.h"
+#include "trace/straight_tube.h"
 
 namespace exsect {
 
-/// Invariant (proved by certify_tangential_tube): for every tau in [-reach, reach] there is exactly one point
-/// w of Phi = 0 with w_k = p_k + tau and |w_i - p_i - tau d_i| <= halfwidth for i != k (p centre, k axis, d
-/// slope), and it has |w_i - p_i - tau d_i| <= core; C DPhi has distance at most contraction <= 1/2 from the
-/// identity on this region. So Phi = 0 is one regular analytic arc there. If F = 0 along it, then F has no
-/// other zero in the core of the tube, the points with |w_i - p_i - tau d_i| <= core.
+/// Invariant (proved by certify_tangential_tube): a straight tube of Phi = 0 with contraction <= 1/2, whose
+/// arc has |w_i - p_i - tau d_i| <= core. If F = 0 along it, then F has no other zero in the core of the
+/// tube, the points with |w_i - p_i - tau d_i| <= core.
 template <class Ball>
-struct TangentialTube {
-  BallPoint<Ball> centre;  // radius 0
-  std::size_t axis;
-  std::array<std::size_t, 2> rows;                      // a, b
-  std::array<std::array<double, 3>, 3> preconditioner;  // C
-  std::array<double, 4> slope;
-  double reach;
-  double halfwidth;
+struct TangentialTube : StraightTube<Ball> {
+  std::array<std::size_t, 2> rows;  // a, b
+  Matrix3 preconditioner;           // C
   double core;
-  double contraction;
-  double slope_error;  // bound of |w_i'(tau) - d_i|
+  std::array<double, 4> slope_error;  // bounds of |w_i'(tau) - d_i|
 };
 
 /// The tube around `centre` (its midpoints are used) over tau in [-reach, reach] with the half width reach;
@@ -57,10 +49,6 @@ struct ArcEnclosure {
   BallPoint<Ball> at;
   BallPoint<Ball> slope;
 };
-/// The offset tau of a point's coordinate k, enclosed.
-template <class Ball>
-Ball offset(const TangentialTube<Ball>& tube, const BallPoint<Ball>& point);
-
 /// True only if the whole box lies in the core.
 template <class Ball>
 bool contains(const TangentialTube<Ball>& tube, const BallPoint<Ball>& box);

@@ -32,7 +32,7 @@ inline Row3 through(const std::array<Row3, 4>& e, const std::array<std::size_t, 
 /// by row, since the rows may be of very different size.
 inline Row3 bound_solution(const std::array<Row3, 4>& e, const std::array<std::size_t, 3>& others,
                            const Row3& base, double contraction) {
-  const double largest = *std::max_element(base.begin(), base.end());
+  const double largest = larger_bound(base[0], base[1], base[2]);
   Row3 bound;
   for (std::size_t row = 0; row < 3; ++row) {
     bound[row] = kSlack * (base[row] + contraction / (1 - contraction) * kSlack * largest);

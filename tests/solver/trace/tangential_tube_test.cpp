@@ -36,14 +36,13 @@ TEST_CASE("contact equations are Taylor polynomials of F and T", "[tangential_tu
   const Expansion<DoubleBall> there(system, moved);
   for (std::size_t axis = 0; axis < 4; ++axis) {
     const auto phi = contact_equations(Expansion<DoubleBall>(system, p), {0, 2}, axis);
-    const auto variables = contact_variables(axis);
     const std::array<DoubleBall, 3> expected = {there.value()[0], there.value()[2], there.tangent()[axis]};
     for (std::size_t row = 0; row < 3; ++row) {
       DoubleBall sum;
-      for_each_term([&](std::size_t t, const std::array<std::size_t, 4>& e) {
-        DoubleBall term = phi[row].c[t];
+      phi.for_each_term([&](const std::array<std::size_t, 4>& e, const BallVector<DoubleBall>& c) {
+        DoubleBall term = c[row];
         for (std::size_t v = 0; v < 4; ++v)
-          for (std::size_t n = 0; n < e[v]; ++n) term *= DoubleBall(step[variables[v]]);
+          for (std::size_t n = 0; n < e[v]; ++n) term *= DoubleBall(step[v]);
         sum += term;
       });
       INFO("axis " << axis << ", row " << row);
