@@ -89,17 +89,15 @@ std::array<DoubleBall, 2> circle(const RoundCoordinate& v, double reach) {
 }  // namespace
 
 RoundCoordinate turned(const RoundCoordinate& v, double x) {
-  // The terms that are left out are below 2^-52 for |x| <= 1, and sums and products err by 2^-51.
+  // The terms that are left out are below 2^-52, and sums and products err by 2^-51.
   const double y = x * x;
-  double c = 1. / 20922789888000, s = 1. / 355687428096000;
-  for (const double inverse :
-       {1. / 87178291200, 1. / 479001600, 1. / 3628800, 1. / 40320, 1. / 720, 1. / 24, 1. / 2})
-    c = inverse - y * c;
-  for (const double inverse :
-       {1. / 1307674368000, 1. / 6227020800, 1. / 39916800, 1. / 362880, 1. / 5040, 1. / 120, 1. / 6})
-    s = inverse - y * s;
-  c = 1 - y * c;
-  s = x - x * (y * s);
+  double c = 0, s = 0;
+  if (y > 1. / 16) {
+    c = y * (1. / 479001600 - y * (1. / 87178291200 - y * (1. / 20922789888000)));
+    s = y * (1. / 6227020800 - y * (1. / 1307674368000 - y * (1. / 355687428096000)));
+  }
+  c = 1 - y * (1. / 2 - y * (1. / 24 - y * (1. / 720 - y * (1. / 40320 - y * (1. / 3628800 - c)))));
+  s = x - x * (y * (1. / 6 - y * (1. / 120 - y * (1. / 5040 - y * (1. / 362880 - y * (1. / 39916800 - s))))));
   const double a = v[0] * c - v[1] * s, b = v[0] * s + v[1] * c;
   const double scale = 1.5 - 0.5 * (a * a + b * b);
   return {a * scale, b * scale};
@@ -244,7 +242,7 @@ RoundAngles<DoubleBall> RoundChart::angles(const RoundBox& box) const {
                       : std::array<DoubleBall, 2>{DoubleBall(box.centre.at[1][0]).widened(box.reach[1]), 0}};
 }
 
-RoundJet RoundChart::jet(const RoundBox& box) const { return balls_.derivatives(angles(box)); }
+[[gnu::flatten]] RoundJet RoundChart::jet(const RoundBox& box) const { return balls_.derivatives(angles(box)); }
 
 RoundJet RoundChart::quick_jet(const RoundPlace& place) const {
   const RoundDerivatives<double> f = doubles_.derivatives(angles(place));
@@ -269,7 +267,7 @@ int RoundChart::side(const RoundBox& box) const {
   return std::min(on_chart, on_other);
 }
 
-std::array<DoubleBall, 3> RoundChart::position(const RoundBox& box) const {
+[[gnu::flatten]] std::array<DoubleBall, 3> RoundChart::position(const RoundBox& box) const {
   return balls_.position(angles(box));
 }
 

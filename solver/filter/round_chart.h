@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exsect/algebra/ball.h>
+#include <exsect/algebra/rounding_bounds.h>
 #include <exsect/geometry/implicit_surface.h>
 
 #include <array>
@@ -87,6 +88,13 @@ class RoundChart {
 
   /// a - b by one coordinate; of infinite radius for angles that are not near to each other.
   DoubleBall difference(std::size_t coordinate, const RoundPlace& a, const RoundPlace& b) const;
+  /// Certainly |a - b| > reach by one coordinate. Requires reach < 1.
+  bool differ(std::size_t coordinate, const RoundPlace& a, const RoundPlace& b, double reach) const {
+    const RoundCoordinate &p = a.at[coordinate], &q = b.at[coordinate];
+    if (coordinate == 1 && !is_closed()) return std::fabs(p[0] - q[0]) * kReduced > reach;
+    // More than 60 degrees, or an angle larger than its sine.
+    return p[0] * q[0] + p[1] * q[1] <= 0.5 || std::fabs(p[1] * q[0] - p[0] * q[1]) > reach + 0x1p-48;
+  }
   /// The place with one coordinate changed, with an error below 2^-46; angles by at most 1.
   RoundPlace moved(const RoundPlace& from, std::size_t coordinate, double by) const;
 

@@ -73,19 +73,30 @@ struct RoundFormula {
     return {{major * b, major, T(0)}, {b, T(1), T(0)}, {k * b * b, two * b, two}};
   }
 
+  /// rho and z, and rho^2 + z^2.
+  struct Point {
+    T rho, z, square;
+  };
+  Point point(const RoundAngles<T>& at) const {
+    if (kind == SurfaceKind::torus) {
+      const T x = minor * at.along[0], rx = major * x;
+      return {major + x, minor * at.along[1], major * major + minor * minor + (rx + rx)};
+    }
+    const T& b = at.along[0];
+    if (kind == SurfaceKind::cylinder) return {major, b, major * major + b * b};
+    return {major * b, b, (major * major + T(1)) * b * b};
+  }
+
   /// H of the other surface.
-  T height(const RoundAngles<T>& at) const {
-    const Profile p = profile(at);
-    return p.rho[0] * (direction[0] * at.around[0] + direction[1] * at.around[1]) + p.z[0] * direction[2] -
+  T height(const RoundAngles<T>& at, const Point& p) const {
+    return p.rho * (direction[0] * at.around[0] + direction[1] * at.around[1]) + p.z * direction[2] -
            offset_along;
   }
 
-  T value(const RoundAngles<T>& at) const {
-    const auto& [c, s] = at.around;
-    const Profile p = profile(at);
-    const T n = p.square[0] + offset_squared -
-                T(2) * (p.rho[0] * (offset[0] * c + offset[1] * s) + p.z[0] * offset[2]);
-    const T t = height(at);
+  T value(const RoundAngles<T>& at, const Point& p) const {
+    const T half = p.rho * (offset[0] * at.around[0] + offset[1] * at.around[1]) + p.z * offset[2];
+    const T n = p.square + offset_squared - (half + half);
+    const T t = height(at, p);
     const T f = linear * n + (quadratic * t + along) * t + constant;
     if (!has_square) return f;
     const T shifted = n + shift;
@@ -98,42 +109,48 @@ struct RoundFormula {
     const auto &d = offset, &b = direction;
     const T g = d[0] * c + d[1] * s, dg = d[1] * c - d[0] * s;
     const T h = b[0] * c + b[1] * s, dh = b[1] * c - b[0] * s;
-    const T two(2);
-    const T n = p.square[0] + offset_squared - two * (p.rho[0] * g + p.z[0] * d[2]);
-    const T t = p.rho[0] * h + p.z[0] * b[2] - offset_along;
-    const std::array<T, 2> n1 = {-(two * p.rho[0] * dg), p.square[1] - two * (p.rho[1] * g + p.z[1] * d[2])};
+    const auto twice = [](const T& x) { return x + x; };
+    const T rg = p.rho[0] * g, rh = p.rho[0] * h;
+    const T n = p.square[0] + offset_squared - twice(rg + p.z[0] * d[2]);
+    const T t = rh + p.z[0] * b[2] - offset_along;
+    const std::array<T, 2> n1 = {-twice(p.rho[0] * dg), p.square[1] - twice(p.rho[1] * g + p.z[1] * d[2])};
     const std::array<T, 2> t1 = {p.rho[0] * dh, p.rho[1] * h + p.z[1] * b[2]};
-    const std::array<T, 3> n2 = {two * p.rho[0] * g, -(two * p.rho[1] * dg),
-                                 p.square[2] - two * (p.rho[2] * g + p.z[2] * d[2])};
-    const std::array<T, 3> t2 = {-(p.rho[0] * h), p.rho[1] * dh, p.rho[2] * h + p.z[2] * b[2]};
-    const T twice_q = two * quadratic;
+    const std::array<T, 3> n2 = {twice(rg), -twice(p.rho[1] * dg),
+                                 p.square[2] - twice(p.rho[2] * g + p.z[2] * d[2])};
+    const std::array<T, 3> t2 = {-rh, p.rho[1] * dh, p.rho[2] * h + p.z[2] * b[2]};
+    const T qt = quadratic * t, by_t = twice(qt) + along;
     T by_n = linear;
-    const T by_t = twice_q * t + along;
     RoundDerivatives<T> f{};
-    f.value = linear * n + (quadratic * t + along) * t + constant;
+    f.value = linear * n + (qt + along) * t + constant;
     if (has_square) {
       const T shifted = n + shift;
       f.value = f.value + shifted * shifted;
-      by_n = by_n + two * shifted;
+      by_n = by_n + twice(shifted);
     }
     for (std::size_t i = 0; i < 2; ++i) f.first[i] = by_n * n1[i] + by_t * t1[i];
+    const std::array<T, 2> q1 = {quadratic * t1[0], quadratic * t1[1]};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t i = k / 2, j = (k + 1) / 2;
-      f.second[k] = by_n * n2[k] + by_t * t2[k] + twice_q * t1[i] * t1[j];
-      if (has_square) f.second[k] = f.second[k] + two * n1[i] * n1[j];
+      T square = q1[i] * t1[j];
+      if (has_square) square = square + n1[i] * n1[j];
+      f.second[k] = by_n * n2[k] + by_t * t2[k] + twice(square);
     }
     return f;
   }
 
   /// In space.
-  std::array<T, 3> position(const RoundAngles<T>& at) const {
+  std::array<T, 3> position(const RoundAngles<T>& at, const Point& p) const {
     const auto& [c, s] = at.around;
-    const Profile p = profile(at);
-    std::array<T, 3> x{};
+    const T x = unit * p.rho * c, y = unit * p.rho * s, z = unit * p.z;
+    std::array<T, 3> result{};
     for (std::size_t k = 0; k < 3; ++k)
-      x[k] = centre[k] + unit * (p.rho[0] * (c * axes[0][k] + s * axes[1][k]) + p.z[0] * axes[2][k]);
-    return x;
+      result[k] = centre[k] + (x * axes[0][k] + y * axes[1][k] + z * axes[2][k]);
+    return result;
   }
+
+  T height(const RoundAngles<T>& at) const { return height(at, point(at)); }
+  T value(const RoundAngles<T>& at) const { return value(at, point(at)); }
+  std::array<T, 3> position(const RoundAngles<T>& at) const { return position(at, point(at)); }
 };
 
 }  // namespace exsect

@@ -158,6 +158,7 @@ std::optional<SurfaceIntersection> round_intersection(const ImplicitSurface& fir
     if (!(bound <= allowed)) return std::nullopt;
     result.nodes.push_back(joint_at(*chart, (*landmarks)[i], id));
     result.arcs.push_back({id, 0, id, trace->end, 1, {}, bound, beside});
+    result.arcs.back().polyline.reserve(polyline.size());
     for (const PolylineVertex& vertex : polyline.take_vertices())
       result.arcs.back().polyline.push_back(vertex.point);
   }

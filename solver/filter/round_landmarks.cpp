@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kMostCells = 6000;
 constexpr double kInflation = 1.25;  // of a cell, within which a zero is looked for
 constexpr double kLeastCell = 0x1p-30;
+constexpr double kQuickCell = 0x1p-10;    // above it the errors of quick numbers are small
 constexpr double kLeastRadius = 0x1p-44;  // above what places err by
 /// Of an enclosure: so that it is apart from a tube whose centre is more than 60 degrees away.
 constexpr double kMostRadius = 0x1p-4;
@@ -49,8 +50,9 @@ class RoundSearch {
   Found look_into(const RoundBox& cell) {
     const bool is_fixed = cell.reach[1] == 0;
     const RoundBox wide = {cell.centre, {cell.reach[0] * kInflation, cell.reach[1] * kInflation}};
-    const RoundJet at = chart_.jet(cell.centre), over = chart_.jet(wide);
     const auto& [a, b] = cell.reach;
+    const RoundJet at = std::max(a, b) > kQuickCell ? chart_.quick_jet(cell.centre) : chart_.jet(cell.centre);
+    const RoundJet over = chart_.jet(wide);
     std::array<double, 3> most;
     for (std::size_t k = 0; k < 3; ++k) most[k] = over.second[k].upper_magnitude();
     const double bound = at.first[0].upper_magnitude() * a + at.first[1].upper_magnitude() * b +

@@ -84,7 +84,7 @@ class RoundPen {
   ArcPolyline line;
 
  private:
-  static constexpr double kOffsetError = 0x1p-46;  // of the places of vertices
+  static constexpr double kOffsetError = 0x1p-45;  // of the places of vertices
 
   /// Each has bounds of its own; more of them than chords are of no use.
   int parts_of(const RoundTube& tube, double length) const {
@@ -102,7 +102,11 @@ class RoundPen {
   void draw_part(const RoundTube& tube, const RoundNode& a, const RoundNode& b) {
     const NodeCurve guess(a, b);
     line.add_chords(deviation(a.arc, b.arc, std::fabs(b.s - a.s), tolerance_), a.s, b.s, tolerance_,
-                    [&](double s) { return vertex_of(tube, near_curve(tube, s, guess(s), wanted_)); });
+                    [&](double s) {
+                      const double off = guess(s);
+                      const auto near = next_to(tube, a.near, a.s, s, off, wanted_);
+                      return vertex_of(tube, near ? *near : near_curve(tube, s, off, wanted_));
+                    });
   }
 
   BoundedVertex vertex_of(const RoundTube& tube, const NearCurve& near) const {

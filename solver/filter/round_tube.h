@@ -47,6 +47,11 @@ struct NearCurve {
 };
 NearCurve near_curve(const RoundTube& tube, double s, double guess, double wanted);
 
+/// A place over the offset s, by what is near it over `from`, at about the difference `off` of the other
+/// coordinate: if that is as near to the curve as wanted. Requires |s - from| <= 1.
+std::optional<NearCurve> next_to(const RoundTube& tube, const NearCurve& near, double from, double s,
+                                 double off, double wanted);
+
 /// The arc over the offsets within `reach` of that of a place near the curve.
 struct RoundArc {
   double slope, bend;  // about the derivatives of the other coordinate by s at the place

@@ -178,6 +178,51 @@ TEST_CASE("round chart: differences of angles, and those that are far") {
   CHECK(std::isinf(chart.difference(0, chart.moved(chart.moved(zero, 0, 1), 0, 0.5), zero).radius()));
 }
 
+TEST_CASE("round chart: turned directions are cosines and sines, of length 1") {
+  for (const double x :
+       {0.0, 1e-200, 1e-9, 0.1, 0.2499999, 0.25, 0.2500001, -0.25, 0.5, -0.75, 0.999, 1.0, -1.0})
+    for (const double start : {0.0, 0.7, 2.5, -1.6}) {
+      const long double angle = static_cast<long double>(start) + static_cast<long double>(x);
+      const auto [a, b] = turned({std::cos(start), std::sin(start)}, x);
+      // The start is rounded by 2^-53.
+      CHECK(std::fabs(static_cast<double>(std::cos(angle) - static_cast<long double>(a))) < 0x1p-49);
+      CHECK(std::fabs(static_cast<double>(std::sin(angle) - static_cast<long double>(b))) < 0x1p-49);
+      CHECK(std::fabs(a * a + b * b - 1) < 0x1p-50);
+    }
+}
+
+TEST_CASE("round chart: coordinates that differ") {
+  for (const auto& chart : {RoundChart::of(charted()[0], others()[0]).value(),
+                            RoundChart::of(charted()[1], others()[0]).value()}) {
+    std::mt19937_64 generator(12);
+    int count = 0;
+    for (int i = 0; i < 400; ++i) {
+      const RoundPlace a = random_place(chart, generator);
+      const auto number = [&](double most) {
+        return std::uniform_real_distribution<double>(-most, most)(generator);
+      };
+      const double apart = number(1), reach = std::fabs(number(0.99));
+      for (const std::size_t k : {0U, 1U}) {
+        const RoundPlace b = chart.moved(a, k, apart);
+        if (chart.differ(k, a, b, reach)) {
+          CHECK(std::fabs(apart) > reach);
+          ++count;
+        } else {
+          CHECK(std::fabs(apart) < 1.3 * reach + 1e-9);
+        }
+        CHECK_FALSE(chart.differ(k, a, chart.moved(a, k, reach * (1 - 1e-12)), reach));
+        CHECK(chart.differ(k, b, a, reach) == chart.differ(k, a, b, reach));
+      }
+    }
+    CHECK(count > 200);
+    // Far angles differ, numbers that are none do not.
+    CHECK(chart.differ(0, {{RoundCoordinate{1, 0}, RoundCoordinate{1, 0}}},
+                       {{RoundCoordinate{-1, 0}, RoundCoordinate{1, 0}}}, 0.9));
+    CHECK_FALSE(chart.differ(0, {{RoundCoordinate{std::nan(""), 0}, RoundCoordinate{1, 0}}},
+                             {{RoundCoordinate{-1, 0}, RoundCoordinate{1, 0}}}, 0.9));
+  }
+}
+
 TEST_CASE("round chart: there is nothing at the ends of the range") {
   for (const S& second : {S::cylinder({0, 1, 0}, {3, 1, 1}, 1), S::cone({4, 1, 0}, {0, 1, 3}, Rational(1, 3)),
                           S::sphere({1, 1, 4}, 3)}) {
