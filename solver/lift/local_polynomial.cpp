@@ -1,6 +1,7 @@
 #include "lift/local_polynomial.h"
 
 #include <exsect/algebra/binary_order.h>
+#include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
 
@@ -77,6 +78,53 @@ SpaceBalls LocalPolynomial::gradient_on(const SpaceBalls& w) const {
       if (j > 0) sum[1] += row * number(j) * x[i] * y[j - 1];
       sum[2] += slope * x[i] * y[j];
     }
+  return sum;
+}
+
+// (17.60)
+SpaceBalls LocalPolynomial::gradient_beside(const std::array<double, 3>& m, double reach,
+                                            const SpaceBalls& d) const {
+  std::array<std::vector<DoubleBall>, 3> chord, box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    chord[k] = powers_of(m[k], count_);
+    box[k] = powers_of(DoubleBall(m[k]) * DoubleBall(0, reach) + d[k], count_);
+  }
+  std::array<std::vector<DoubleBall>, 3> along;
+  for (std::vector<DoubleBall>& coefficients : along)
+    coefficients.resize(std::max<std::size_t>(count_, 2) - 1);
+  std::array<SpaceBalls, 3> second{};
+  for (std::size_t i = 0; i < count_; ++i)
+    for (std::size_t j = 0; i + j < count_; ++j)
+      for (std::size_t k = 0; i + j + k < count_; ++k) {
+        const std::array<std::size_t, 3> e = {i, j, k};
+        for (std::size_t p = 0; p < 3; ++p) {
+          if (e[p] == 0) continue;
+          std::array<std::size_t, 3> less = e;
+          --less[p];
+          const DoubleBall c = at(i, j, k) * DoubleBall(static_cast<double>(e[p]));
+          along[p][i + j + k - 1] += c * chord[0][less[0]] * chord[1][less[1]] * chord[2][less[2]];
+          for (std::size_t q = p; q < 3; ++q) {
+            if (less[q] == 0) continue;
+            std::array<std::size_t, 3> least = less;
+            --least[q];
+            second[p][q] += c * DoubleBall(static_cast<double>(less[q])) * box[0][least[0]] *
+                            box[1][least[1]] * box[2][least[2]];
+          }
+        }
+      }
+  SpaceBalls sum;
+  for (std::size_t p = 0; p < 3; ++p) {
+    sum[p] = values_along(along[p], reach);
+    for (std::size_t q = 0; q < 3; ++q) sum[p] += second[std::min(p, q)][std::max(p, q)] * d[q];
+  }
+  return sum;
+}
+
+DoubleBall values_along(const std::vector<DoubleBall>& f, double reach) {
+  DoubleBall sum = f[0], power = DoubleBall(0, reach);
+  const DoubleBall square(reach * reach / 2, reach * reach / 2 * kSlack + kUnderflowLoss);
+  for (std::size_t i = 1; i < f.size(); ++i, power *= DoubleBall(0, reach))
+    sum += f[i] * (i == 2 ? square : power);
   return sum;
 }
 

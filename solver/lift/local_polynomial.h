@@ -26,6 +26,9 @@ class LocalPolynomial {
   /// On the box.
   DoubleBall value_on(const SpaceBalls& w) const;
   SpaceBalls gradient_on(const SpaceBalls& w) const;
+  /// On the points w = t m + d, |t| <= reach, d in the box: what cancels along the chord does so here
+  /// (17.60).
+  SpaceBalls gradient_beside(const std::array<double, 3>& m, double reach, const SpaceBalls& d) const;
   /// The coefficients of the polynomial in t with w = t m.
   std::vector<DoubleBall> along(const std::array<double, 3>& m) const;
 
@@ -37,5 +40,8 @@ class LocalPolynomial {
   std::size_t count_;  // the degree and 1
   std::vector<DoubleBall> coefficients_;
 };
+
+/// A polynomial, constant term first, for |t| <= reach.
+DoubleBall values_along(const std::vector<DoubleBall>& f, double reach);
 
 }  // namespace exsect

@@ -23,7 +23,7 @@ class SpaceTracer {
       : problem_(problem),
         start_(start),
         sense_(sense),
-        link_radius_(std::ldexp(1.0, std::ilogb(problem.extent) - 72)),
+        link_radius_(std::ldexp(1.0, std::ilogb(problem.extent) - 90)),
         step_(problem.extent / 32),
         at_(problem.landmarks[start]) {
     add_vertex(at_);
@@ -31,7 +31,7 @@ class SpaceTracer {
 
   SpaceTrace run() {
     constexpr std::size_t most_vertices = 100000;
-    while (trace_.points.size() < most_vertices && step_ > problem_.extent * 0x1p-40) {
+    while (trace_.points.size() < most_vertices && step_ > problem_.extent * 0x1p-60) {
       interruption_point();
       if (!advance()) {
         step_ /= 2;

@@ -13,15 +13,6 @@ namespace {
 /// The coordinates beside the axis, in a right-handed order.
 std::array<std::size_t, 2> beside(std::size_t axis) { return {(axis + 1) % 3, (axis + 2) % 3}; }
 
-/// A polynomial for |s| <= reach, constant term first.
-DoubleBall values_along(const std::vector<DoubleBall>& f, double reach) {
-  DoubleBall sum = f[0], power = DoubleBall(0, reach);
-  const DoubleBall square(reach * reach / 2, reach * reach / 2 * kSlack + kUnderflowLoss);
-  for (std::size_t i = 1; i < f.size(); ++i, power *= DoubleBall(0, reach))
-    sum += f[i] * (i == 2 ? square : power);
-  return sum;
-}
-
 /// Two equations about a chord, times about the inverse of their gradients across it.
 struct ChordSystem {
   std::array<LocalPolynomial, 2> forms;
@@ -125,12 +116,12 @@ std::optional<SpaceTube> SpaceTube::proved(const SpacePolynomial& f, const Space
   const ChordSystem system(f, g, tube.centre_, tube.axis_);
   const std::array<double, 2> offset = system.offsets(tube.slope_, tube.reach_);
   const double least = larger_bound(offset[0], offset[1]) / 4 + length * 0x1p-30;
-  SpaceBalls box;
   for (std::size_t k = 0; k < 2; ++k) tube.width_[system.lateral[k]] = 1.25 * offset[k] + least;
-  for (std::size_t k = 0; k < 3; ++k)
-    box[k] = DoubleBall(tube.slope_[k]) * DoubleBall(0, tube.reach_) + DoubleBall(0, tube.width_[k]);
-  const std::array<SpaceBalls, 2> gradients = {system.forms[0].gradient_on(box),
-                                               system.forms[1].gradient_on(box)};
+  const SpaceBalls beside = {DoubleBall(0, tube.width_[0]), DoubleBall(0, tube.width_[1]),
+                             DoubleBall(0, tube.width_[2])};
+  const std::array<SpaceBalls, 2> gradients = {
+      system.forms[0].gradient_beside(tube.slope_, tube.reach_, beside),
+      system.forms[1].gradient_beside(tube.slope_, tube.reach_, beside)};
   if (!system.contracts(gradients, offset, tube.width_)) return std::nullopt;
   const auto& [i, j] = system.lateral;
   tube.direction_ = (gradients[0][i] * gradients[1][j] - gradients[0][j] * gradients[1][i]).certain_sign();

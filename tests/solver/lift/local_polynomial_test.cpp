@@ -73,7 +73,23 @@ TEST_CASE("local polynomial: random values, gradients and restrictions to lines"
                             DoubleBall(0, std::fabs(to_double(w[2])))};
     CHECK(holds(local.value_on(box), scale * f(c + w)));
     CHECK(holds(local.gradient_on(box)[1], scale * f.derivative(1)(c - w)));
+    // Beside a chord, in its end and off it.
+    const std::array<double, 3> m = {0.5, -1.25, 1};
+    for (const double t : {-0.5, 0.25, 0.5}) {
+      const Point p = c + from_double(t) * Point{from_double(m[0]), from_double(m[1]), 1};
+      for (std::size_t k = 0; k < 3; ++k)
+        CHECK(holds(local.gradient_beside(m, 0.5, box)[k], scale * f.derivative(k)(p + w)));
+    }
   }
+}
+
+TEST_CASE("local polynomial: a gradient that is nearly the same along a chord") {
+  // x - y is 0 along the chord, so the derivative of (x - y)^2 is small beside it, not of the chord's length.
+  const SpacePolynomial x = SpacePolynomial::variable(0), y = SpacePolynomial::variable(1);
+  const LocalPolynomial local((x - y) * (x - y) + SpacePolynomial::variable(2), {3, 3, 0});
+  const SpaceBalls beside = {DoubleBall(), DoubleBall(0, 0x1p-40), DoubleBall()};
+  CHECK(local.gradient_beside({1, 1, 0}, 0.5, beside)[1].upper_magnitude() < 0x1p-38);
+  CHECK(local.gradient_on({DoubleBall(0, 0.5), DoubleBall(0, 0.5), DoubleBall()})[1].upper_magnitude() > 0.5);
 }
 
 }  // namespace exsect::local_polynomial_test

@@ -1,6 +1,7 @@
 // Tubes around chords of circles and of curves that nearly meet.
 #include "lift/space_tube.h"
 
+#include <cmath>
 #include <tuple>
 
 #include "support/catch.h"
@@ -61,6 +62,23 @@ TEST_CASE("space tube: surfaces that nearly touch, far longer than they are apar
     // By the gradients in the origin.
     const Point gf = {0, 1, -1}, gg = {small, 1, -1}, along = cross(gf, gg);
     CHECK(tube->order(near(to), near(from), sense) == sign(along[1]));
+  }
+}
+
+TEST_CASE("space tube: beside a point where two branches touch, of a part of the distance from it") {
+  // y = x^2 and y = 3/2 x^2 are t^2 / 2 apart at the distance t, in a plane that is no coordinate plane.
+  const SpacePolynomial sheets = (y - z - x * x) * (y - z - Rational(3, 2) * x * x), flat = x + y + 3 * z;
+  const auto at = [](const Rational& t) {
+    const Rational high = t * t;  // y - z
+    return Point{t, (3 * high - t) / 4, (-high - t) / 4};
+  };
+  for (const int k : {4, 8, 16}) {
+    const Rational t = power_of_two(-k);
+    const Point from = at(t), to = at(t + t / 32);
+    const auto tube = SpaceTube::around(sheets, flat, from, to);
+    REQUIRE(tube);
+    CHECK(tube->place_of({from, std::ldexp(1.0, -2 * k - 30)}) == SpaceTube::Place::inside);
+    CHECK(tube->distance_to_chord(from, to) < std::ldexp(1.0, -2 * k - 4));
   }
 }
 
