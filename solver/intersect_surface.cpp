@@ -18,6 +18,7 @@
 #include "curve/surface_curve.h"
 #include "curve/surface_graph.h"
 #include "curve/turning_in_v.h"
+#include "filter/section_intersection.h"
 
 namespace exsect {
 namespace {
@@ -42,7 +43,7 @@ IntersectResult drawn(const KnownCurve& known, const Run& run) {
   return result;
 }
 
-IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, const Run& run) {
+IntersectResult solved_exactly(const ImplicitSurface& surface, const RationalPatch& x, const Run& run) {
   KnownCurve known{{}, x.reduced(), {Parameter::u}};
   run.timed("curve", [&] { known.curve = surface_curve(surface, x); });
   if (std::ranges::find(run.turning(), Parameter::v) != run.turning().end()) {
@@ -55,6 +56,13 @@ IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, c
     result = first_drawn([kept](const Run& given) { return std::optional(drawn(*kept, given)); }, run);
   });
   return *std::move(result);
+}
+
+/// In doubles where they decide.
+IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, const Run& run) {
+  if (!run.exact())
+    if (auto result = section_intersection(surface, x, run)) return *std::move(result);
+  return solved_exactly(surface, x, run);
 }
 
 }  // namespace

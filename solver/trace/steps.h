@@ -24,6 +24,8 @@ inline constexpr Steps kContactSteps = {0.1, 0x1p-30, 0x1p-30, 0.25, 0.3, 0.5, 2
 inline constexpr Steps kChartSteps = {0x1p-6, 0x1p-24, 0x1p-24, 0.25, 0.25, 0.5, 2000};
 /// Of round surfaces, as lengths in units of their size.
 inline constexpr Steps kRoundSteps = {0x1p-3, 0x1p-24, 0x1p-24, 0.5, 0.3, 0.5, 4000};
+/// Of an equation on a patch, whose parameters run from -1 to 1.
+inline constexpr Steps kSectionSteps = {0x1p-3, 0x1p-24, 0x1p-24, 0.5, 0.3, 0.5, 4000};
 /// Of the filter, whose tubes have error bounds that do not shrink with them.
 inline constexpr Steps kFilterSteps = {0x1p-3, 0x1p-30, 0x1p-30, 0.5, 0.2, 0.32, 2000};
 

@@ -141,7 +141,9 @@ TEST_CASE("along the rim of a half turn nodes lie on the side that they are on, 
 
 TEST_CASE("a box that holds all of the curve leaves the graph of the whole surface") {
   const RationalPatch x = bilinear({-2, -2, 0}, {-2, 2, Rational(1, 3)}, {2, -2, 1}, {2, 2, Rational(1, 5)});
-  const IntersectionGraph whole = complete(pipe, x).graph;
+  IntersectOptions exactly;
+  exactly.exact = true;  // as boxes are
+  const IntersectionGraph whole = intersect(pipe, x, exactly).graph;
   for (const SurfaceBox& box : {height(-9, 9), SurfaceBox{.height = HeightRange{-5, Rational(7, 2)}}}) {
     const IntersectionGraph part = complete(boxed(pipe, box), x).graph;
     REQUIRE(part.nodes.size() == whole.nodes.size());
