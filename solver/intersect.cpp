@@ -7,9 +7,11 @@
 #include "answer/proof.h"
 #include "confirmed_curves.h"
 #include "filter/filter.h"
+#include "intersect_as_curve.h"
 #include "intersect_at_pole.h"
 #include "intersect_exactly.h"
 #include "intersect_within.h"
+#include "overlap/rational_pieces.h"
 #include "signs_beside.h"
 
 namespace exsect {
@@ -27,15 +29,19 @@ IntersectResult intersect_beyond_filter(const Run& run, const BezierPatch& x, co
   return intersect_exactly(x, y, run, pair);
 }
 
-/// What that leaves, by what is proved near a pole (method 14.24).
-IntersectResult intersect_beside_poles(const Run& run, const BezierPatch& x, const BezierPatch& y) {
+/// What that leaves, by the inverse of a patch (method 17), what is proved near a pole (14.24), or
+/// as pieces of one surface (14.10).
+IntersectResult intersect_biquadratic(const Run& run, const BezierPatch& x, const BezierPatch& y) {
   IntersectResult result = intersect_in_place(run, x, y);
   if (result.status == Status::complete || run.out_of_time()) return result;
+  if (auto as_curve = intersect_as_curve(x, y, run)) return *std::move(as_curve);
   const auto solve = [](const RationalPatch& first, const RationalPatch& second, const Run& part) {
-    return intersect_beside_poles(part, *first.biquadratic(), *second.biquadratic());
+    return intersect_biquadratic(part, *first.biquadratic(), *second.biquadratic());
   };
-  auto at_pole = intersect_at_pole(x, y, run, solve);
-  return at_pole ? *std::move(at_pole) : result;
+  if (auto at_pole = intersect_at_pole(x, y, run, solve)) return *std::move(at_pole);
+  if (run.exact()) return result;
+  IntersectResult pieces = intersect_rational_pieces(x, y, run);
+  return pieces.status == Status::complete ? pieces : result;
 }
 
 }  // namespace
@@ -44,7 +50,7 @@ IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const Inte
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
     IntersectResult answer = run.finished(with_signs_beside(x, y, run, [&](const Run& part) {
-      return answered(part, [&] { return intersect_beside_poles(part, x, y); });
+      return answered(part, [&] { return intersect_biquadratic(part, x, y); });
     }));
     const auto again = [x, y](const IntersectOptions& other) { return intersect(x, y, other); };
     return answer_to(options, std::move(answer), again);

@@ -4,49 +4,31 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
-#include "answer/parameter_names.h"
 #include "answer/proof.h"
 #include "answer/run.h"
 #include "eliminant/weighted_eliminant.h"
+#include "exchanged_order.h"
 #include "filter/exact_patch.h"
 #include "filter/filter.h"
 #include "intersect.h"
+#include "intersect_as_curve.h"
 #include "intersect_at_pole.h"
 #include "intersect_within.h"
 #include "overlap/rational_pieces.h"
 #include "self/self_intersect.h"
 #include "self/self_intersect_in_doubles.h"
 #include "signs_beside.h"
-#include "special/intersect_by_inverse.h"
 #include "special/polynomial_images.h"
 
 namespace exsect {
 
 namespace {
-
-/// What `solve` finds of y and x, if it does, as a result of x and y.
-template <class Solve>
-std::optional<IntersectResult> in_exchanged_order(const RationalPatch& x, const RationalPatch& y,
-                                                  const Run& run, const Solve& solve) {
-  const OtherRun exchanged = [](const Run& given) {
-    std::vector<Parameter> turning;
-    for (const Parameter p : given.turning()) turning.push_back(all_parameters[(index(p) + 2) % 4]);
-    return given.with_turning(std::move(turning));
-  };
-  std::optional<IntersectResult> other = solve(y, x, exchanged(run));
-  if (!other || other->status != Status::complete) return std::nullopt;
-  const auto rename = [](IntersectResult& renamed, const Run&) {
-    rename_parameters(renamed, {Parameter::r, Parameter::s, Parameter::u, Parameter::v});
-  };
-  return changed(*std::move(other), run, rename, exchanged);
-}
 
 /// Doubles may decide in one order of the patches what they do not in the other one.
 IntersectResult intersect_in_either_order(const RationalPatch& x, const RationalPatch& y, const Run& run) {
@@ -54,54 +36,6 @@ IntersectResult intersect_in_either_order(const RationalPatch& x, const Rational
   if (result.status == Status::complete || run.out_of_time()) return result;
   auto other = in_exchanged_order(x, y, run, intersect_in_doubles);
   return other ? *std::move(other) : result;
-}
-
-/// By the inverse of the second patch, in one order of the patches: its curve is found once.
-class OrderByInverse {
- public:
-  explicit OrderByInverse(std::optional<PatchInverse> of_second) : inverse_(std::move(of_second)) {}
-
-  /// Empty if nothing is known, or the curve or the rim of an overlap goes through a pole of the second patch
-  /// or does not, other than is asked for.
-  std::optional<IntersectResult> result(const RationalPatch& first, const RationalPatch& second,
-                                        const Run& run, bool through_pole) {
-    if (!is_asked_ && inverse_) curve_ = curve_by_inverse(first, second, *inverse_, run);
-    is_asked_ = true;
-    const bool is_clear = curve_ && curve_->in_poles.empty() && curve_->rim_poles.empty();
-    if (!curve_ || is_clear == through_pole) return std::nullopt;
-    auto result = intersect_by_inverse(curve_, run);
-    return result && result->status == Status::complete ? std::move(result) : std::nullopt;
-  }
-
- private:
-  std::optional<PatchInverse> inverse_;
-  std::shared_ptr<const InverseCurve> curve_;
-  bool is_asked_ = false;
-};
-
-/// By an equation on one of them, if the other one has an inverse; empty where that decides nothing. The
-/// curve of less degree first, those that go through a pole of the patch with the inverse last.
-std::optional<IntersectResult> intersect_as_curve(const RationalPatch& x, const RationalPatch& y,
-                                                  const Run& run) {
-  const std::optional<PatchInverse> of_x = patch_inverse(x), of_y = patch_inverse(y);
-  OrderByInverse by_y(of_y), by_x(of_x);
-  const auto in_order = [&](bool through_pole) { return by_y.result(x, y, run, through_pole); };
-  const auto exchanged = [&](bool through_pole) {
-    return in_exchanged_order(x, y, run,
-                              [&](const RationalPatch& first, const RationalPatch& second, const Run& given) {
-                                return by_x.result(first, second, given, through_pole);
-                              });
-  };
-  const auto degrees = [](const RationalPatch& patch, const PatchInverse& inverse) {
-    return inverse.equation.degree * (patch.degree_u() + patch.degree_v());
-  };
-  const bool is_exchanged = of_x && of_y && degrees(y, *of_x) < degrees(x, *of_y);
-  for (const bool through_pole : {false, true}) {
-    auto result = is_exchanged ? exchanged(through_pole) : in_order(through_pole);
-    if (!result) result = is_exchanged ? in_order(through_pole) : exchanged(through_pole);
-    if (result) return result;
-  }
-  return std::nullopt;
 }
 
 /// By polynomial patches, if x and y are images of some (14.20); empty otherwise.
