@@ -10,16 +10,6 @@ namespace exsect::filter {
 
 namespace {
 
-/// The index in the net of the corner with these parameters; empty if it is none.
-template <class K>
-std::optional<std::size_t> corner_of(const Rational& first, const Rational& second) {
-  const auto is_end = [](const Rational& t) { return t == 0 || t == 1; };
-  if (!is_end(first) || !is_end(second)) {
-    return std::nullopt;
-  }
-  return (first == 1 ? K::degree * K::side : 0) + (second == 1 ? K::degree : 0);
-}
-
 /// The sides of both patches that the path runs along; empty if it is inside of one.
 std::optional<std::array<SquareSide, 2>> common_sides(const SidePath& path) {
   for (std::size_t i = 0; i < 2; ++i) {

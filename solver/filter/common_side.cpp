@@ -162,6 +162,19 @@ CommonPart common_part(const SideContactOf<K>& side, const SidePath& path) {
 }
 
 template <class K>
+std::array<std::array<Rational, 4>, 2> ends_of_part(const SideContactOf<K>& side, const SidePath& path) {
+  const CommonPart part = common_part<K>(side, path);
+  std::array<std::array<Rational, 4>, 2> ends;
+  for (std::size_t end = 0; end < 2; ++end)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const SideView& view = i == 0 ? side.x : side.y;
+      ends[end][2 * i + view.side.parameter] = view.side.upper ? 1 : 0;
+      ends[end][2 * i + 1 - view.side.parameter] = view.reversed ? Rational(1 - part[i][end]) : part[i][end];
+    }
+  return ends;
+}
+
+template <class K>
 Contact contact_along(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
                       const SideContactOf<K>& side) {
   return touches_along<K>(x, y, pair, side);
@@ -172,7 +185,9 @@ Contact contact_along(const ExactPatch<K>& x, const ExactPatch<K>& y, const Pair
                                     const SideContactOf<K>&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
-#define EXSECT_INSTANTIATE(K) template CommonPart common_part<K>(const SideContactOf<K>&, const SidePath&);
+#define EXSECT_INSTANTIATE(K)                                                   \
+  template CommonPart common_part<K>(const SideContactOf<K>&, const SidePath&); \
+  template std::array<std::array<Rational, 4>, 2> ends_of_part<K>(const SideContactOf<K>&, const SidePath&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

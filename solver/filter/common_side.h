@@ -27,6 +27,10 @@ using CommonPart = std::array<std::array<Rational, 2>, 2>;
 template <class K>
 CommonPart common_part(const SideContactOf<K>& side, const SidePath& path);
 
+/// (u,v,r,s) at the first and the last end of it.
+template <class K>
+std::array<std::array<Rational, 4>, 2> ends_of_part(const SideContactOf<K>& side, const SidePath& path);
+
 /// t' of the point t (14.35a).
 Rational inverse(const MoebiusMap<Rational>& map, const Rational& t);
 

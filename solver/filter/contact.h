@@ -72,7 +72,7 @@ struct ContactsOf {
   std::vector<SidePointOf<K>> points;           // where a curve may end, alone among these
   std::vector<DoublePointOf<K>> double_points;  // on sides; not of biquadratic pairs
   std::vector<KnownBox> boxes;                  // not of biquadratic pairs
-  std::vector<CornerContact> branched;          // corners that are ends of arcs, which have ports
+  std::vector<CornerContact> branched;          // corners that are ends of arcs, of sides or with ports
   bool empty() const {
     return sides.empty() && paths.empty() && lines.empty() && corners.empty() && points.empty() &&
            double_points.empty() && boxes.empty() && branched.empty();

@@ -94,8 +94,9 @@ class ContactGraph {
     if (side.path) {
       const auto part = common_part<K>(side, *side.path);
       add_polyline(side, {rounded(part[0]), rounded(part[1])}, arc);
-      arc.from = add_end({end_of(side, part, 0), 0}, arc.polyline.front());
-      arc.to = add_end({end_of(side, part, 1), 0}, arc.polyline.back());
+      const auto ends = ends_of_part<K>(side, *side.path);
+      arc.from = add_end({ends[0], 0}, arc.polyline.front());
+      arc.to = add_end({ends[1], 0}, arc.polyline.back());
     } else {
       add_polyline(side, {{{0, 1}, {0, 1}}}, arc);
     }
@@ -133,22 +134,19 @@ class ContactGraph {
   static Part::Interval rounded(const std::array<Rational, 2>& ends) {
     return {to_double(ends[0]), to_double(ends[1])};
   }
-  /// (u,v,r,s) at the first or the last end of the common part.
-  static std::array<Rational, 4> end_of(const SideContactOf<K>& side, const CommonPart& part,
-                                        std::size_t end) {
-    std::array<Rational, 4> at;
-    for (std::size_t i = 0; i < 2; ++i) {
-      const SideView& view = i == 0 ? side.x : side.y;
-      at[2 * i + view.side.parameter] = view.side.upper ? 1 : 0;
-      at[2 * i + 1 - view.side.parameter] = view.reversed ? Rational(1 - part[i][end]) : part[i][end];
-    }
-    return at;
-  }
-
   int add_end(const RimEnd& end, const PolylineVertex& vertex) {
     Node node = rim_node(end.at);
     node.point = vertex.point;
-    return graph_.add_node(std::move(node));
+    const auto known = node_in_corner(node.on);
+    return known ? *known : graph_.add_node(std::move(node));
+  }
+
+  /// That of these four sides, which is there if arcs end in the corner.
+  std::optional<int> node_in_corner(const std::vector<Side>& on) const {
+    const auto& nodes = graph_.nodes();
+    const auto known = std::ranges::find_if(nodes, [&](const Node& node) { return node.on == on; });
+    if (on.size() < 4 || known == nodes.end()) return std::nullopt;
+    return static_cast<int>(known - nodes.begin());
   }
 
   /// That of the corner; a new one where sides do not have it already.
@@ -183,7 +181,8 @@ class ContactGraph {
     node.kinds = {NodeKind::boundary};
     if (!corner.pole_of_x || !corner.pole_of_y) node.kinds.push_back(NodeKind::corner);
     node.point = position(affine(pair_.x.net[corner.x]));
-    return graph_.add_node(std::move(node), 0);
+    const auto known = node_in_corner(node.on);
+    return known ? *known : graph_.add_node(std::move(node), 0);
   }
 
   std::array<double, 3> position(const Vec3& scaled) const {

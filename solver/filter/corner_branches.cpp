@@ -9,7 +9,7 @@ namespace exsect::filter {
 
 namespace {
 
-constexpr std::array<int, 2> kOrders = {4, 7};
+constexpr std::array<int, 3> kOrders = {4, 7, 10};
 constexpr std::array<int, 5> kReaches = {3, 5, 7, 9, 12};  // powers of 1/2
 /// Relative half widths of charts, powers of 1/2.
 constexpr std::array<int, 4> kWidths = {3, 5, 7, 10};
@@ -111,14 +111,18 @@ std::optional<std::vector<RationalInterval>> zeros(const PolygonEdge& edge,
   }
 }
 
+/// There is no polygon.
+bool is_left_open(const PlaneSeries& g) { return g.coefficient(0, 0) == 0 && newton_polygon(g).empty(); }
+
 /// All about one equation and the box [0, 2^-k]^4.
 class Search {
  public:
   Search(const CornerEquation& equation, long k) : equation_(equation), g_(equation.normal), k_(k) {}
 
   std::optional<std::vector<CornerBranch>> run() {
+    if (is_left_open(g_)) return std::nullopt;
+    if (g_.coefficient(0, 0) != 0) return alone();
     const std::vector<PolygonEdge> edges = newton_polygon(g_);
-    if (edges.empty()) return std::nullopt;
     std::optional<Curve> above;
     for (const PolygonEdge& edge : edges) {
       const auto ends = outer_exponents(edge.in_c, edge.lowest[1], edge.highest[1]);
@@ -133,6 +137,11 @@ class Search {
   }
 
  private:
+  /// Nothing but the sides by which the equation is divided.
+  std::optional<std::vector<CornerBranch>> alone() const {
+    return vertex_dominates(g_, {0, 0}, {k_, {}, {}}) ? std::optional(branches_) : std::nullopt;
+  }
+
   bool add_edge(const PolygonEdge& edge, const std::array<long, 2>& ends) {
     const auto roots = zeros(edge, ends);
     if (!roots) return false;
@@ -167,20 +176,23 @@ class Search {
 
 }  // namespace
 
-std::optional<CornerBranches> corner_branches(const CornerNet& x, const CornerNet& y) {
+std::optional<CornerBranches> corner_branches(const CornerNet& x, const CornerNet& y,
+                                              const std::vector<SideAtCorner>& sides) {
   const CornerSystem system(x, y);
-  for (const CornerSplit& split : system.splits())
-    for (const int order : kOrders) {
-      const auto series = system.series(split, order);
-      for (const int k : kReaches) {
+  for (const CornerSplit& split : system.splits()) {
+    std::vector<std::array<PlaneSeries, 2>> series;
+    for (const int k : kReaches)
+      for (std::size_t i = 0; i < kOrders.size(); ++i) {
+        if (series.size() == i) series.push_back(system.series(split, kOrders[i]));
         // Twice as far for complex numbers.
-        auto equation = system.equation(split, series, power_of_two(1 - k));
-        if (!equation) continue;
-        if (newton_polygon(equation->normal).empty()) break;
+        const auto whole = system.equation(split, series[i], power_of_two(1 - k));
+        if (!whole) break;
+        auto equation = divided_at_sides(*whole, sides);
+        if (!equation || is_left_open(equation->normal)) continue;
         auto branches = Search(*equation, k).run();
         if (branches) return CornerBranches{*std::move(equation), power_of_two(-k), k, *std::move(branches)};
       }
-    }
+  }
   return std::nullopt;
 }
 

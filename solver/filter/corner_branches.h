@@ -18,7 +18,8 @@ struct CornerBranch {
   RationalInterval c;
 };
 
-/// All solutions in the box [0,reach]^4, counted from the corner, are the corner and these branches.
+/// All solutions in the box [0,reach]^4, counted from the corner, are the corner, the common sides, and these
+/// branches.
 struct CornerBranches {
   CornerEquation equation;
   Rational reach;  // 2^-k
@@ -26,7 +27,8 @@ struct CornerBranches {
   std::vector<CornerBranch> branches;
 };
 
-/// Empty if that is not proved for any reach of some.
-std::optional<CornerBranches> corner_branches(const CornerNet& x, const CornerNet& y);
+/// Empty if that is not proved for any reach of some. Common sides end in the corner.
+std::optional<CornerBranches> corner_branches(const CornerNet& x, const CornerNet& y,
+                                              const std::vector<SideAtCorner>& sides = {});
 
 }  // namespace exsect::filter

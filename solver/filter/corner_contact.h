@@ -33,6 +33,14 @@ std::array<bool, 2> corner_ends(std::size_t corner) {
   return {corner >= K::degree * K::side, corner % K::side == K::degree};
 }
 
+/// The index of the corner with these parameters; empty if it is none.
+template <class K>
+std::optional<std::size_t> corner_of(const Rational& first, const Rational& second) {
+  const auto is_end = [](const Rational& t) { return t == 0 || t == 1; };
+  if (!is_end(first) || !is_end(second)) return std::nullopt;
+  return (first == 1 ? K::degree * K::side : 0) + (second == 1 ? K::degree : 0);
+}
+
 /// Its parameters, centred. Requires that it is no pole.
 template <class K>
 Vec4 place_of(const CornerContact& corner) {

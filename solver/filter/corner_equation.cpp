@@ -77,6 +77,24 @@ ControlVectors power_coefficients(const CornerNet& corner) {
   return net;
 }
 
+// (14.128).
+std::optional<CornerEquation> divided_at_sides(const CornerEquation& equation,
+                                               const std::vector<SideAtCorner>& sides) {
+  std::array<int, 2> power = {0, 0};
+  for (const SideAtCorner& side : sides) {
+    std::array<bool, 2> is_across{};
+    for (std::size_t k = 0; k < 2; ++k)
+      is_across[k] = std::ranges::count(side.across, equation.split.free[k]) > 0;
+    if (is_across[0] == is_across[1]) return std::nullopt;
+    int& own = power[is_across[0] ? 0 : 1];
+    if (own > 0) return std::nullopt;
+    own = side.touching ? 2 : 1;
+  }
+  auto normal = equation.normal.divided(power[0], power[1]);
+  if (!normal) return std::nullopt;
+  return CornerEquation{equation.split, equation.bound, *std::move(normal)};
+}
+
 CornerSystem::CornerSystem(const CornerNet& x, const CornerNet& y)
     : x_(power_coefficients(x)), y_(power_coefficients(y)) {
   using exsect::operator*;

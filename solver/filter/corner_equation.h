@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "filter/lone_corner.h"
 #include "filter/plane_series.h"
@@ -16,13 +17,26 @@ struct CornerSplit {
   std::array<std::size_t, 2> bound;
 };
 
+/// All points next to the corner at which a parameter of x and one of y, `across`, are zero are solutions: a
+/// common side, along which the patches touch if `touching`.
+struct SideAtCorner {
+  std::array<std::size_t, 2> across;
+  bool touching;
+};
+
 /// For complex p, q: all solutions with |p|, |q| <= reach and the others of size `reach` at most have the
-/// values `bound` of these, and the zeros of `normal` with such p and q are solutions, with these values.
+/// values `bound` of these, and the zeros of `normal` with such p and q are solutions, with these values. If
+/// it is divided at sides, all solutions with p, q > 0 are its zeros.
 struct CornerEquation {
   CornerSplit split;
   std::array<PlaneSeries, 2> bound;
   PlaneSeries normal;
 };
+
+/// With `normal` divided at common sides; empty if p is zero along one of them and q too, or none of both, or
+/// the series has too few terms.
+std::optional<CornerEquation> divided_at_sides(const CornerEquation& equation,
+                                               const std::vector<SideAtCorner>& sides);
 
 /// c[i][j] multiplies the powers i and j of the parameters counted from the corner.
 ControlVectors power_coefficients(const CornerNet& net);

@@ -65,6 +65,21 @@ void PlaneSeries::add(const PlaneSeries& other, const Rational& factor) {
   rest_ += abs(factor) * other.rest_;
 }
 
+// (14.128).
+std::optional<PlaneSeries> PlaneSeries::divided(int i, int j) const {
+  if (order_ < i + j) return std::nullopt;
+  PlaneSeries result(order_ - i - j, reach_);
+  for (int k = 0; k <= order_; ++k)
+    for (int l = 0; k + l <= order_; ++l) {
+      const Rational& c = coefficient(k, l);
+      if (c == 0) continue;
+      if (k < i || l < j) return std::nullopt;
+      result.c_[result.index(k - i, l - j)] = c;
+    }
+  result.rest_ = rest_;
+  return result;
+}
+
 // Terms of an order m > order are at most |c| reach^(m-order-1) max(|p|,|q|)^(order+1).
 PlaneSeries operator*(const PlaneSeries& a, const PlaneSeries& b) {
   const int n = a.order_;

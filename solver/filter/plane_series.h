@@ -4,6 +4,7 @@
 
 #include <exsect/algebra/rational.h>
 
+#include <optional>
 #include <vector>
 
 namespace exsect::filter {
@@ -35,6 +36,9 @@ class PlaneSeries {
   void widen(const Rational& rest) { rest_ += rest; }
   /// Adds factor times the other one, of the same order and reach.
   void add(const PlaneSeries& other, const Rational& factor);
+  /// f / (p^i q^j), (14.128), if the terms up to order() have these powers and order() >= i + j. Requires
+  /// that this is analytic.
+  std::optional<PlaneSeries> divided(int i, int j) const;
   /// Requires the same order and reach.
   friend PlaneSeries operator*(const PlaneSeries& a, const PlaneSeries& b);
 

@@ -6,6 +6,7 @@
 #include "filter/corner_ports.h"
 #include "filter/line.h"
 #include "filter/lone_corner.h"
+#include "filter/side_corners.h"
 
 namespace exsect::filter {
 
@@ -13,16 +14,36 @@ namespace {
 
 constexpr std::size_t kMostSidePoints = 16;
 
-/// By charts (14.26). Empty if nothing is proved; no ports if the corner is alone.
+/// By charts (14.26). Empty if nothing is proved; no ports if nothing but the sides ends in the corner.
 template <class K>
 std::optional<CentreOf<K>> centre_by_charts(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                            const PairOf<K>& pair, CornerContact& corner) {
+                                            const PairOf<K>& pair, CornerContact& corner,
+                                            const std::vector<SideAtCorner>& sides) {
   if (corner.is_pole()) return std::nullopt;
   const CornerNet of_x = corner_net<K>(x, corner.x, std::nullopt);
-  const auto found = corner_branches(of_x, corner_net<K>(y, corner.y, std::nullopt));
+  const auto found = corner_branches(of_x, corner_net<K>(y, corner.y, std::nullopt), sides);
   auto centre = found ? branched_corner<K>(pair, corner, of_x, *found) : std::nullopt;
   if (centre) corner.lone_reach = to_double(found->reach);
   return centre;
+}
+
+/// The corners in which common sides end.
+template <class K>
+bool find_side_corners(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                       ContactsOf<K>& contacts, std::vector<CentreOf<K>>& centres) {
+  bool found = false;
+  for (auto& [corner, sides] : side_corners<K>(x, y, pair, contacts)) {
+    const auto is_known = [&](const CornerContact& known) {
+      return known.x == corner.x && known.y == corner.y;
+    };
+    if (std::ranges::any_of(contacts.branched, is_known)) continue;
+    auto centre = centre_by_charts<K>(x, y, pair, corner, sides);
+    if (!centre) continue;
+    found = true;
+    contacts.branched.push_back(corner);
+    if (!centre->ports.empty()) centres.push_back(*std::move(centre));
+  }
+  return found;
 }
 
 }  // namespace
@@ -101,13 +122,14 @@ bool find_corners([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] cons
     for (CornerContact corner : contacts.corners) {
       const bool is_known = corner.lone_reach > 0;
       if (!is_known) corner.lone_reach = lone_reach<K>(x, y, corner);
-      auto centre = corner.lone_reach > 0 ? std::nullopt : centre_by_charts<K>(x, y, pair, corner);
+      auto centre = corner.lone_reach > 0 ? std::nullopt : centre_by_charts<K>(x, y, pair, corner, {});
       found = found || (!is_known && corner.lone_reach > 0);
       const bool is_branched = centre && !centre->ports.empty();
       (is_branched ? contacts.branched : corners).push_back(corner);
       if (is_branched) centres.push_back(*std::move(centre));
     }
     contacts.corners = std::move(corners);
+    found = find_side_corners(x, y, pair, contacts, centres) || found;
   }
   return found;
 }

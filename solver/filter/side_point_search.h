@@ -33,7 +33,8 @@ bool add_corner_points(const ExactPatch<K>& x, const ExactPatch<K>& y, const Pai
                        ContactsOf<K>& contacts);
 
 /// Proves of common corners that nothing else is near, (14.14a), or which arcs end there, Lemma 14.26: such a
-/// corner is branched, and appended to the centres. False if of none for the first time.
+/// corner is branched, as one in which common sides end, and appended to the centres if other arcs do. False
+/// if of none for the first time.
 template <class K>
 bool find_corners(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
                   ContactsOf<K>& contacts, std::vector<CentreOf<K>>& centres);

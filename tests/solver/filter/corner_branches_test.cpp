@@ -73,6 +73,27 @@ TEST_CASE("corner branches: those beyond sides of the other patch are none", "[f
   CHECK(count(term(0, 2) + term(3, 0, -1), kU * kU, kV) == 1);
 }
 
+TEST_CASE("corner branches: beside common sides", "[filter]") {
+  const filter::SideAtCorner u = {{0, 2}, false}, twice_u = {{0, 2}, true}, v = {{1, 3}, false};
+  const auto count_beside = [](const Terms& height, const std::vector<filter::SideAtCorner>& sides) {
+    const CornerNet x = net_of(power_patch({kU, kV, height}, 3)), y = net_of(power_patch({kU, kV, kNone}, 3));
+    const auto found = corner_branches(x, y, sides);
+    return found ? static_cast<int>(found->branches.size()) : -1;
+  };
+  CHECK(count_beside(term(1, 1) + term(2, 0, -1), {u}) == 1);  // u (v - u)
+  CHECK(count_beside(term(1, 1) + term(2, 0, -1), {}) == -1);
+  CHECK(count_beside(term(1, 1) + term(2, 0), {u}) == 0);
+  CHECK(count_beside(term(1, 2) + term(2, 1, -3) + term(3, 0, 2), {u}) == 2);
+  CHECK(count_beside(term(1, 2) + term(3, 0, -1), {u}) == 1);
+  CHECK(count_beside(term(2, 0), {twice_u}) == 0);
+  CHECK(count_beside(term(2, 1) + term(3, 0, -1), {twice_u}) == 1);
+  CHECK(count_beside(term(1, 1), {u, v}) == 0);
+  CHECK(count_beside(term(1, 2) + term(2, 1, -1), {u, v}) == 1);  // u v (v - u)
+  CHECK(count_beside(term(1, 2) + term(2, 1, -1), {u}) == -1);
+  CHECK(count_beside(term(0, 2) + term(2, 0, -1), {u}) == -1);  // not on that side
+  CHECK(count_beside(term(1, 1), {u, u}) == -1);
+}
+
 TEST_CASE("corner branches: as many as cross the sides of a square", "[filter]") {
   int proved = 0, met = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {

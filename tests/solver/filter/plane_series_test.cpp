@@ -79,4 +79,34 @@ TEST_CASE("plane series: sums and products enclose those of values", "[filter]")
   }
 }
 
+TEST_CASE("plane series: quotients by powers enclose those of values", "[filter]") {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    const Rational reach(1, integer(generator, 1, 4));
+    const int i = static_cast<int>(integer(generator, 0, 2)), j = static_cast<int>(integer(generator, 0, 2));
+    const int order = i + j + static_cast<int>(integer(generator, 0, 2));
+    // The product with a polynomial of which terms are left out.
+    const PlaneSeries f = random_series(generator, order, reach);
+    const PlaneSeries product = PlaneSeries::power(order, reach, i, j) * f;
+    const auto quotient = product.divided(i, j);
+    REQUIRE(quotient);
+    CHECK(quotient->order() == order - i - j);
+    CHECK(quotient->rest() == product.rest());
+    for (int k = 0; k < 10; ++k) {
+      const Rational p = reach * Rational(integer(generator, -8, 8), 8);
+      const Rational q = reach * Rational(integer(generator, -8, 8), 8);
+      CHECK(encloses(*quotient, p, q, polynomial_value(f, p, q)));
+    }
+    CHECK_FALSE(product.divided(order + 1, 0));
+  }
+  const PlaneSeries sum = [] {
+    PlaneSeries result = PlaneSeries::power(2, 1, 1, 1);
+    result.add(PlaneSeries::power(2, 1, 0, 1), 1);
+    return result;
+  }();
+  CHECK(sum.divided(0, 1));
+  CHECK_FALSE(sum.divided(1, 0));
+}
+
 }  // namespace exsect::plane_series_test
