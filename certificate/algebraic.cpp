@@ -4,6 +4,7 @@
 
 #include "certificate/claims.h"
 #include "certificate/coordinates.h"
+#include "certificate/long_point.h"
 
 namespace exsect::cli {
 
@@ -23,6 +24,28 @@ SingularSearch singular_search(const ExactMap& section) {
   return {section, {false, false, true, true}, place};
 }
 
+namespace {
+
+AlgebraicPoint point_of(const AlgebraicPlace& place) {
+  const checker::Root root = {place.modulus.coefficients(), {place.between.lower, place.between.upper}};
+  AlgebraicPoint point = {std::make_shared<checker::Root>(root), {}};
+  for (std::size_t i = 0; i < 4; ++i) point.parameters[i] = Algebraic(place.at[i].coefficients(), point.root);
+  return point;
+}
+
+/// What Newton's method finds, as numbers of one field that are a solution.
+std::optional<AlgebraicPoint> field_point(const ExactMap& equation, const Node& node) {
+  const auto near = long_point(equation, node, bits_of_places);
+  if (!near) return std::nullopt;
+  const auto is_exact = [map = checker::rounded<Algebraic>(equation)](const AlgebraicPlace& place) {
+    return map.value(point_of(place).parameters) == AlgebraicColumn{};
+  };
+  const auto place = algebraic_place({(*near)[0], (*near)[1], (*near)[2], (*near)[3]}, is_exact);
+  return place ? std::optional(point_of(*place)) : std::nullopt;
+}
+
+}  // namespace
+
 std::vector<AlgebraicPoint> points_in_box(const SingularSearch& search, const Node& node) {
   std::vector<AlgebraicPoint> result;
   const Place place = short_place(node);
@@ -30,13 +53,10 @@ std::vector<AlgebraicPoint> points_in_box(const SingularSearch& search, const No
     const checker::Root zero = {{0, 1}, {-1, 1}};
     result.push_back({std::make_shared<checker::Root>(zero), {place[0], place[1], place[2], place[3]}});
   }
-  if (const auto found = search.place(node.box)) {
-    const checker::Root root = {found->modulus.coefficients(), {found->between.lower, found->between.upper}};
-    AlgebraicPoint& point = result.emplace_back();
-    point.root = std::make_shared<checker::Root>(root);
-    for (std::size_t i = 0; i < 4; ++i)
-      point.parameters[i] = Algebraic(found->at[i].coefficients(), point.root);
-  }
+  if (const auto found = search.place(node.box))
+    result.push_back(point_of(*found));
+  else if (result.empty())
+    if (const auto near = field_point(search.equation, node)) result.push_back(*near);
   if (result.empty()) throw NoCertificate("a special point with parameters in no number field that is found");
   return result;
 }

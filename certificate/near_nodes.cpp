@@ -3,18 +3,13 @@
 #include <algorithm>
 
 #include "certificate/claims.h"
+#include "certificate/long_point.h"
 
 namespace exsect::cli {
 namespace {
 
 const ExactMap& exact_map(const Draft& d, const Tube& tube) {
   return tube.factor < 0 ? d.exact : d.factors.found()[static_cast<std::size_t>(tube.factor)].exact.map;
-}
-
-/// Towards 0 to a multiple of 2^-bits.
-Rational in_bits(const Rational& q, int bits) {
-  const Rational scaled = q * power_of_two(bits);
-  return Rational(numerator(scaled) / denominator(scaled)) * power_of_two(-bits);
 }
 
 /// The curve's point with this value of the variable of the axis: each step of Newton's method, with an

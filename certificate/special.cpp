@@ -31,13 +31,33 @@ bool is_behind_walls(const Draft& d, const Node& n) {
   return factor.walls && checker::on_one_side<double>(factor.exact, *factor.walls, factor.columns, box);
 }
 
-/// A point of a star, as is one on sides where the parameter of one of them turns, or through which a curve
-/// along a side goes on while another parameter turns.
+/// All sides follow from one of them, as the map vanishes wherever they hold, or the node is an exact
+/// solution; otherwise nothing but a star tells that they hold in one point.
+bool sides_follow(const Draft& d, const Node& n) {
+  if (n.on.size() < 2 || is_solution(d.exact, short_place(n))) return true;
+  const int factor = d.factor_at[static_cast<std::size_t>(n.id)];
+  const ExactMap& map = factor < 0 ? d.exact : d.factors.found()[static_cast<std::size_t>(factor)].exact.map;
+  std::vector<checker::Side> sides;
+  for (const Side& side : n.on) sides.push_back({{index(side.parameter)}, side.value});
+  const auto follows = [&](const checker::Side& from, const checker::Side& other) {
+    for (std::size_t c = 0; c < 3; ++c)
+      if (checker::vanishes(map, c, {from, other})) return true;
+    return false;
+  };
+  return std::any_of(sides.begin(), sides.end(), [&](const checker::Side& from) {
+    return std::all_of(sides.begin(), sides.end(), [&](const checker::Side& other) {
+      return other.parameter == from.parameter || follows(from, other);
+    });
+  });
+}
+
+/// A point of a star, as is one on sides that do not follow from each other, or where the parameter of one of
+/// them turns, or through which a curve along a side goes on while another parameter turns.
 bool needs_star(const Draft& d, const SingularSearch& search, const Node& n) {
   if (is_behind_walls(d, n)) return false;
   if (is_star(d.graph, n, d.self)) return true;
   if (n.on.empty() || !d.on_curve[static_cast<std::size_t>(n.id)]) return false;
-  if (turns_at_side(d.pair.power, search, n) || ends_at(d.graph, n) > 1) return true;
+  if (turns_at_side(d.pair.power, search, n) || ends_at(d.graph, n) > 1 || !sides_follow(d, n)) return true;
   if (!n.wrt.empty()) throw NoCertificate("a turning point on a side");
   return false;
 }

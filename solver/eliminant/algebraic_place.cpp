@@ -13,10 +13,10 @@ namespace exsect {
 
 namespace {
 
-constexpr int kBits = 1200;  // to which parameters are known
+constexpr int kBits = bits_of_places - 20;  // to which parameters are known, whatever their last digits
 constexpr int kHighestDegree = 8;
 constexpr int kBitsOfInterval = 120;
-const Rational kWidth = power_of_two(-kBits - 20);  // of the enclosures of parameters
+const Rational kWidth = power_of_two(-bits_of_places);  // of the enclosures of parameters
 
 std::vector<Rational> powers(const Rational& a, int degree) {
   std::vector<Rational> result = {1};
@@ -104,9 +104,9 @@ std::optional<AlgebraicPlace> place_over(const Rational& a, const std::array<Rat
   return place;
 }
 
-/// A place with these parameters, each known to 2^-(kBits + 20), that is a solution.
-template <class IsSolution>
-std::optional<AlgebraicPlace> place_near(const std::array<Rational, 4>& near, const IsSolution& is_solution) {
+/// A place with these parameters, each known to 2^-bits_of_places, that is a solution.
+std::optional<AlgebraicPlace> place_near(const std::array<Rational, 4>& near,
+                                         const std::function<bool(const AlgebraicPlace&)>& is_solution) {
   std::vector<std::array<int, 4>> generators;
   for (std::size_t i = 0; i < 4; ++i) generators.emplace_back()[i] = 1;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -150,6 +150,11 @@ std::optional<AlgebraicPlace> algebraic_place(const BezierPatch& x, const Bezier
     }
     return place_near(near, [&](const AlgebraicPlace& place) { return is_solution(x, y, place); });
   });
+}
+
+std::optional<AlgebraicPlace> algebraic_place(const std::array<Rational, 4>& near,
+                                              const std::function<bool(const AlgebraicPlace&)>& is_solution) {
+  return in_nearest_rounding([&] { return place_near(near, is_solution); });
 }
 
 std::optional<AlgebraicPlace> algebraic_place(const BivariatePolynomial& f, const ParameterBox& box) {

@@ -7,6 +7,7 @@
 #include <exsect/solver/parameter.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 
 namespace exsect {
@@ -23,6 +24,13 @@ struct AlgebraicPlace {
 /// found.
 std::optional<AlgebraicPlace> algebraic_place(const BezierPatch& x, const BezierPatch& y,
                                               const ParameterBox& box);
+
+/// Binary digits after the point to which parameters have to be known for their field to be found.
+inline constexpr int bits_of_places = 1220;
+/// Of parameters that are near these, to `bits_of_places`: a place for which is_solution holds. Empty if none
+/// is found in fields of degree 8 at most.
+std::optional<AlgebraicPlace> algebraic_place(const std::array<Rational, 4>& near,
+                                              const std::function<bool(const AlgebraicPlace&)>& is_solution);
 
 /// Of a curve f(u,v) = 0: a singular point of the curve without its multiplicities, with r and s as the box
 /// has them, rational numbers. Empty if none is found, for f = 0 or where r or s is an interval.

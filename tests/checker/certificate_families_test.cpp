@@ -49,13 +49,10 @@ TEST_CASE("each shipped pair has a certificate, or a named event is in the way")
 }
 
 TEST_CASE("each case of one pair has a certificate, or a named event is in the way") {
-  const std::string number = "a special point with parameters in no number field that is found";
   const std::map<std::string, std::string> expected = {
-      {"arcs-side-by-side-on-one-side", number},
+      {"arcs-side-by-side-on-one-side", "a special point with parameters in no number field that is found"},
       {"fold-at-an-irrational-place", "a point where no tube was found"},
-      {"pieces-of-a-torus", "an overlap of patches whose parameters do not depend on each other linearly"},
-      {"sphere-on-a-torus", number},
-      {"spheres-touch-at-roots", number}};
+      {"pieces-of-a-torus", "an overlap of patches whose parameters do not depend on each other linearly"}};
   std::map<std::string, std::string> refused;
   std::size_t pairs = 0;
   for (const auto& file : std::filesystem::directory_iterator(EXSECT_CASES)) {

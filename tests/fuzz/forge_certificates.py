@@ -3,18 +3,21 @@
 
     forge_certificates.py --program build/release/cli/exsect hand-made [EVERY]
     forge_certificates.py --program build/release/cli/exsect random FIRST COUNT
+    forge_certificates.py --program build/release/cli/exsect false [EVERY]
 
 `hand-made` puts numbers, lists and words of all extremes in the place of each kind of claim, and makes false claims on
 purpose; with EVERY = 7 only every seventh. `random` makes one to three random changes for each seed from FIRST on.
 Both checkers, `exsect check` and examples/check_certificate.py, judge each forgery. They have to agree, none may end
 otherwise than with a verdict, and what they accept has to be true: the same graph, boxes and polylines as the result of
-`exsect` for the patches in the file. --bases N takes the first N of the certificates only; the shortest come first.
+`exsect` for the patches in the file. `false` makes claims that cannot be true: arcs with the ends of others, left out or twice,
+boxes moved, other sides and turning points, other multiplicities; all have to be rejected. --bases N takes the first N of the certificates only; the shortest come first.
 Exit status 1 if something does not hold.
 """
 
 import argparse
 import collections
 import importlib.util
+import itertools
 import json
 import math
 import pathlib
@@ -137,6 +140,13 @@ def models():
     cone, cylinder = (quarter_turn(*arguments) for arguments in (((1, 0), ("10/7", 0), ("3/7", 2)), (("4/5", "3/5"), (1, "9/35"), (1, "123/70"))))
     yield "neighbours", ["intersect"], cases / "found" / "smooth-neighbours.json"
     yield "neighbours that touch", ["intersect"], patches(*touching_neighbours())
+    # (u, u^2, 0) + v (0, 1/3, 1 + u / 3) and (s, 1/2, 0) + r (0, 1, 1/2), in whose common corner u^2 = 1/2, turned.
+
+    def turn(x, y, z):
+        return [str(x + z), str(y - z), str(y + z)]
+    half, third = Fraction(1, 2), Fraction(1, 3)
+    low = [[turn(i * half, i // 2 + v * third, v * (1 + i * half * third)) for v in range(2)] for i in range(3)]
+    yield "irrational corner", ["intersect"], patches(low, [[turn(Fraction(s), half + r, r * half) for s in range(2)] for r in range(2)])
     yield "circles around an axis", ["intersect"], {"exsect": "patches/1", "patches": [dict(cone, name="x"), dict(cylinder, name="y")]}
 
 
@@ -436,6 +446,79 @@ def without_a_component(base):
             yield f"without component {lost}, {instead}", Forged(recounted(root))
 
 
+def polynomial_product(a, b):
+    terms = [(Fraction(p[0]) * Fraction(q[0]), *map(sum, zip(p[1:], q[1:]))) for p in a for q in b]
+    total = collections.Counter()
+    for c, *power in terms:
+        total[tuple(power)] += c
+    return [[str(c), *power] for power, c in total.items() if c]
+
+
+def exchanged(root, key, i, j, fields):
+    a, b = root[key][i], root[key][j]
+    for field in fields:
+        a[field], b[field] = b[field], a[field]
+
+
+def false_claims(base):
+    """(what, Forged) of claims none of which can be true, whatever the patches: every one has to be rejected."""
+    def changed(change):
+        root = copy(base)
+        change(root)
+        return Forged(recounted(root))
+
+    arcs, nodes = base.get("arcs", []), base.get("nodes", base.get("points", []))
+    key = "nodes" if "nodes" in base else "points"
+    for i, j in itertools.islice(itertools.combinations(range(len(arcs)), 2), 6):
+        fields = [field for field in ("from", "to", "points", "pieces") if arcs[i][field] != arcs[j][field]]
+        for field in fields:
+            yield f"arcs {i} and {j}: {field} exchanged", changed(lambda root: exchanged(root, "arcs", i, j, [field]))
+        if arcs[i]["to"] != arcs[j]["to"]:
+            yield f"arcs {i} and {j}: other ends", changed(lambda root: exchanged(root, "arcs", i, j, ["to", "points"]))
+    for i, arc in enumerate(arcs[:6]):
+        if arc["from"] != arc["to"]:
+            yield f"arc {i}: ends exchanged", changed(lambda root: root["arcs"][i].update({"from": arc["to"], "to": arc["from"]}))
+        yield f"arc {i}: twice", changed(lambda root: root["arcs"].append(copy(arc)) or root["components"][arc["component"]]["arcs"].append(len(arcs)))
+        yield f"arc {i}: left out", changed(lambda root: root["arcs"].pop(i) and [
+            c.update(arcs=[a - (a > i) for a in c["arcs"] if a != i]) for c in root["components"]])
+    for i, node in enumerate(nodes[:6]):
+        radius = Fraction(checker.number(node["radius"], ""))
+        for n, letter in enumerate("uvrs"):
+            at = Fraction(checker.number(node["at"][n], ""))
+            new = at + 3 * radius if at < Fraction(1, 2) else at - 3 * radius
+
+            def move(root):
+                root[key][i]["at"][n] = str(new)
+                for arc in root.get("arcs", []):
+                    for end, place in (("from", 0), ("to", -1)):
+                        if arc[end] == i:
+                            arc["points"][place][n] = str(new)
+            yield f"node {i}: its box moved in {letter}", changed(move)
+            if key == "nodes" and letter not in node["wrt"]:
+                yield f"node {i}: turning in {letter}", changed(lambda root: root["nodes"][i]["wrt"].append(letter) or root["nodes"][i]["wrt"].sort(key="uvrs".index))
+            if key == "nodes" and not any(on[0] == letter for on in node["on"]):
+                yield f"node {i}: on {letter}=0", changed(lambda root: root["nodes"][i]["on"].append(letter + "=0"))
+        if key == "nodes" and len(node["on"]) + len(node["wrt"]) == 1:
+            yield f"node {i}: nothing there", changed(lambda root: root["nodes"][i].update(on=[], wrt=[]))
+    used = {int(tube["curve"].split("factor")[1]) for tube in base["tubes"] if "factor" in tube["curve"] and not tube["curve"].startswith("star")}
+    for f in sorted(used):
+        for j, power in enumerate(base["factors"][f]["powers"]):
+            yield f"factor {f}: power {j} greater", changed(lambda root: put(root, ("factors", f, "powers", j), power + 1))
+            if power == 1 or not base["factors"][f]["columns"][2]:
+                continue
+
+            def lower(root):  # true, but where the map vanishes the column does, too
+                factor = root["factors"][f]
+                factor["powers"][j] -= 1
+                factor["columns"][j] = [polynomial_product(c, factor["map"][j]) for c in factor["columns"][j]]
+            yield f"factor {f}: power {j} less", changed(lower)
+    for field, by in (("tangential", 1), ("tangential", -1), ("isolated", 1), ("closed", 1), ("branched", 1)):
+        if field in base["summary"] and base["summary"][field] + by >= 0:
+            root = copy(base)
+            root["summary"][field] += by
+            yield f"{field}: {by}", Forged(root)
+
+
 # ---- Random changes
 
 
@@ -589,7 +672,8 @@ class Campaign:
         self.program, self.names, self.bases = program, names, bases
         self.count, self.failures, self.truth = collections.Counter(), [], {}
 
-    def judge(self, which, what, text):
+    def judge(self, which, what, text, false=False):
+        """With `false` it has to be rejected."""
         self.count["forgeries"] += 1
         if self.count["forgeries"] % 500 == 0:
             print(dict(self.count), len(self.failures), "failures", file=sys.stderr, flush=True)
@@ -608,6 +692,8 @@ class Campaign:
         if not cpp:
             self.count["unreadable"] += cpp is None
             return None
+        if false:
+            return self.fail(which, what, text, "FALSE: accepted")
         root, base = json.loads(text), self.bases[which]
         same = all(root.get(key, {}).get("points") == base.get(key, {}).get("points") for key in ("first", "second")) and root.get("fixed") == base.get("fixed")
         self.count["accepted, of the same patches" if same else "accepted, of other patches"] += 1
@@ -645,6 +731,7 @@ def main():
     commands = arguments.add_subparsers(dest="command", required=True)
     by_hand = commands.add_parser("hand-made")
     by_hand.add_argument("every", type=int, nargs="?", default=1)
+    commands.add_parser("false").add_argument("every", type=int, nargs="?", default=1)
     by_seed = commands.add_parser("random")
     by_seed.add_argument("first", type=int)
     by_seed.add_argument("count", type=int)
@@ -664,6 +751,10 @@ def main():
                     if done % options.every == 0:
                         campaign.judge(which, what, forged.text())
                     done += 1
+        elif options.command == "false":
+            for which, base in enumerate(campaign.bases):
+                for what, forged in list(false_claims(base))[:: options.every]:
+                    campaign.judge(which, what, forged.text(), false=True)
         else:
             weights = [1 / (3000 + len(text)) for text in texts]
             for seed in range(options.first, options.first + options.count):
