@@ -29,6 +29,7 @@
 #include "lift/space_sides.h"
 #include "lift/sphere_boxes.h"
 #include "lift/torus_drawing.h"
+#include "lift/villarceau_circles.h"
 
 namespace exsect {
 namespace {
@@ -81,7 +82,9 @@ bool is_closed(const SurfaceIntersection& result, const SpaceCurve& curve) {
 
 void set_curves(SurfaceIntersection& result, std::vector<SpaceCurve> curves) {
   result.curves = std::move(curves);
-  for (SpaceCurve& named : result.curves) {
+  for (std::size_t i = 0; i < result.curves.size(); ++i) {
+    SpaceCurve& named = result.curves[i];
+    named.id = static_cast<int>(i);
     for (const int arc : named.arcs) result.arcs[static_cast<std::size_t>(arc)].curve = named.id;
     named.is_closed = is_closed(result, named);
   }
@@ -314,12 +317,17 @@ std::optional<SurfaceIntersection> tori(const ImplicitSurface& first, const Impl
     if (coaxial->is_reversed) negate_sides(result);
     return result;
   }
+  std::optional<SurfaceIntersection> result;
   for (const auto solve : {on_torus, on_ring}) {
-    if (std::optional<SurfaceIntersection> result = solve(first, second, region, run)) return result;
-    if (std::optional<SurfaceIntersection> result = solve(second, first, region, run))
-      return in_other_order(*std::move(result), second, first);
+    if (!result) result = solve(first, second, region, run);
+    if (!result && (result = solve(second, first, region, run)))
+      result = in_other_order(*std::move(result), second, first);
   }
-  return std::nullopt;
+  if (result) {
+    name_villarceau_circles(*result, *first.data(), *second.data());
+    set_curves(*result, std::move(result->curves));
+  }
+  return result;
 }
 
 std::optional<SurfaceIntersection> lifted(const ImplicitSurface& first, const ImplicitSurface& second,
