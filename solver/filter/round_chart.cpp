@@ -88,21 +88,6 @@ std::array<DoubleBall, 2> circle(const RoundCoordinate& v, double reach) {
 
 }  // namespace
 
-RoundCoordinate turned(const RoundCoordinate& v, double x) {
-  // The terms that are left out are below 2^-52, and sums and products err by 2^-51.
-  const double y = x * x;
-  double c = 0, s = 0;
-  if (y > 1. / 16) {
-    c = y * (1. / 479001600 - y * (1. / 87178291200 - y * (1. / 20922789888000)));
-    s = y * (1. / 6227020800 - y * (1. / 1307674368000 - y * (1. / 355687428096000)));
-  }
-  c = 1 - y * (1. / 2 - y * (1. / 24 - y * (1. / 720 - y * (1. / 40320 - y * (1. / 3628800 - c)))));
-  s = x - x * (y * (1. / 6 - y * (1. / 120 - y * (1. / 5040 - y * (1. / 362880 - y * (1. / 39916800 - s))))));
-  const double a = v[0] * c - v[1] * s, b = v[0] * s + v[1] * c;
-  const double scale = 1.5 - 0.5 * (a * a + b * b);
-  return {a * scale, b * scale};
-}
-
 std::optional<RoundChart> RoundChart::of(const ImplicitSurface& first, const ImplicitSurface& second) {
   if (!first.data() || !second.data()) return std::nullopt;
   if (chart_rank(first) < chart_rank(second)) {
@@ -226,7 +211,7 @@ void RoundChart::set_doubles() {
   const auto bounds = balls_.mapped<RoundedNumber>(RoundedNumber::of);
   const RoundedNumber unknown(1 + kDirectionError, kDirectionError);
   RoundAngles<RoundedNumber> all{{unknown, unknown}, {unknown, unknown}};
-  if (!is_closed()) all.along[0] = quick_reach_ = larger_bound(-range_[0], range_[1]) + 1;
+  if (!is_closed()) all.along[0] = quick_reach_ = larger_bound(-range_[0], range_[1]) + 3;
   const auto f = bounds.derivatives(all);
   // Both formulas for the value are used.
   errors_.value = larger_bound(f.value.error(), bounds.value(all).error());
@@ -242,7 +227,9 @@ RoundAngles<DoubleBall> RoundChart::angles(const RoundBox& box) const {
                       : std::array<DoubleBall, 2>{DoubleBall(box.centre.at[1][0]).widened(box.reach[1]), 0}};
 }
 
-[[gnu::flatten]] RoundJet RoundChart::jet(const RoundBox& box) const { return balls_.derivatives(angles(box)); }
+[[gnu::flatten]] RoundJet RoundChart::jet(const RoundBox& box) const {
+  return balls_.derivatives(angles(box));
+}
 
 RoundJet RoundChart::quick_jet(const RoundPlace& place) const {
   const RoundDerivatives<double> f = doubles_.derivatives(angles(place));

@@ -17,8 +17,26 @@ namespace exsect {
 /// An angle, that of the direction (a,b), of a length within 2^-50 of 1, or the number a.
 using RoundCoordinate = std::array<double, 2>;
 
+/// See `turned`; of several at once, each by at most 1/4 unless `is_far`.
+template <class X>
+std::array<X, 2> turned_by(const std::array<X, 2>& v, const X& x, bool is_far) {
+  // The terms that are left out are below 2^-52, and sums and products err by 2^-51.
+  const X y = x * x;
+  X c{}, s{};
+  if (is_far) {
+    c = y * (1. / 479001600 - y * (1. / 87178291200 - y * (1. / 20922789888000)));
+    s = y * (1. / 6227020800 - y * (1. / 1307674368000 - y * (1. / 355687428096000)));
+  }
+  c = 1. - y * (1. / 2 - y * (1. / 24 - y * (1. / 720 - y * (1. / 40320 - y * (1. / 3628800 - c)))));
+  s = x - x * (y * (1. / 6 - y * (1. / 120 - y * (1. / 5040 - y * (1. / 362880 - y * (1. / 39916800 - s))))));
+  const X a = v[0] * c - v[1] * s, b = v[0] * s + v[1] * c;
+  const X scale = 1.5 - 0.5 * (a * a + b * b);
+  return {a * scale, b * scale};
+}
 /// (cos x, sin x) with an error below 2^-49, times v, of about the length 1 again. Requires |x| <= 1.
-RoundCoordinate turned(const RoundCoordinate& v, double x);
+inline RoundCoordinate turned(const RoundCoordinate& v, double x) {
+  return turned_by<double>(v, x, std::fabs(x) > 0.25);
+}
 
 /// The angle about the axis and the place along the profile.
 struct RoundPlace {
@@ -83,6 +101,11 @@ class RoundChart {
   RoundMotion motion(const RoundBox& box, std::size_t axis, const DoubleBall& slope,
                      const DoubleBall& bend) const;
   double unit() const { return unit_; }
+  /// The numbers of quick values and positions, and the errors of both on a box; infinite if they are not
+  /// known.
+  const RoundFormula<double>& doubles() const { return doubles_; }
+  double value_error(const RoundBox& box) const { return is_quick(box) ? errors_.value : INFINITY; }
+  double position_error(const RoundBox& box) const { return is_quick(box) ? position_error_ : INFINITY; }
   /// The chart is of the second one of the surfaces given, and f the equation of the first one.
   bool is_of_second() const { return is_of_second_; }
 
@@ -107,10 +130,11 @@ class RoundChart {
   RoundAngles<DoubleBall> angles(const RoundBox& box) const;
   static RoundAngles<double> angles(const RoundPlace& place) { return {place.at[0], place.at[1]}; }
 
-  /// The errors are those of this place, too.
-  bool is_quick(const RoundPlace& place) const {
-    return is_closed() || std::fabs(place.at[1][0]) <= quick_reach_;
+  /// The errors are those of these places, too.
+  bool is_quick(const RoundBox& box) const {
+    return is_closed() || std::fabs(box.centre.at[1][0]) + box.reach[1] <= quick_reach_;
   }
+  bool is_quick(const RoundPlace& place) const { return is_quick({place, {}}); }
 
   RoundFormula<DoubleBall> balls_;
   RoundFormula<double> doubles_;

@@ -5,6 +5,7 @@
 #include <exsect/geometry/implicit_surface.h>
 
 #include <array>
+#include <type_traits>
 
 namespace exsect {
 
@@ -73,35 +74,56 @@ struct RoundFormula {
     return {{major * b, major, T(0)}, {b, T(1), T(0)}, {k * b * b, two * b, two}};
   }
 
+  // The following ones also for X of several doubles at once, with the same operations.
+
   /// rho and z, and rho^2 + z^2.
+  template <class X>
   struct Point {
-    T rho, z, square;
+    X rho, z, square;
   };
-  Point point(const RoundAngles<T>& at) const {
+  template <class X>
+  Point<X> point(const RoundAngles<X>& at) const {
+    const X& b = at.along[0];
     if (kind == SurfaceKind::torus) {
-      const T x = minor * at.along[0], rx = major * x;
+      const X x = minor * b, rx = major * x;
       return {major + x, minor * at.along[1], major * major + minor * minor + (rx + rx)};
     }
-    const T& b = at.along[0];
-    if (kind == SurfaceKind::cylinder) return {major, b, major * major + b * b};
+    if (kind == SurfaceKind::cylinder) return {repeated<X>(major), b, major * major + b * b};
     return {major * b, b, (major * major + T(1)) * b * b};
   }
 
   /// H of the other surface.
-  T height(const RoundAngles<T>& at, const Point& p) const {
+  template <class X>
+  X height(const RoundAngles<X>& at, const Point<X>& p) const {
     return p.rho * (direction[0] * at.around[0] + direction[1] * at.around[1]) + p.z * direction[2] -
            offset_along;
   }
 
-  T value(const RoundAngles<T>& at, const Point& p) const {
-    const T half = p.rho * (offset[0] * at.around[0] + offset[1] * at.around[1]) + p.z * offset[2];
-    const T n = p.square + offset_squared - (half + half);
-    const T t = height(at, p);
-    const T f = linear * n + (quadratic * t + along) * t + constant;
+  template <class X>
+  X value(const RoundAngles<X>& at, const Point<X>& p) const {
+    const X half = p.rho * (offset[0] * at.around[0] + offset[1] * at.around[1]) + p.z * offset[2];
+    const X n = p.square + offset_squared - (half + half);
+    const X t = height(at, p);
+    const X f = linear * n + (quadratic * t + along) * t + constant;
     if (!has_square) return f;
-    const T shifted = n + shift;
+    const X shifted = n + shift;
     return f + shifted * shifted;
   }
+
+  /// In space.
+  template <class X>
+  std::array<X, 3> position(const RoundAngles<X>& at, const Point<X>& p) const {
+    const auto& [c, s] = at.around;
+    const X x = unit * p.rho * c, y = unit * p.rho * s, z = unit * p.z;
+    std::array<X, 3> result{};
+    for (std::size_t k = 0; k < 3; ++k)
+      result[k] = centre[k] + (x * axes[0][k] + y * axes[1][k] + z * axes[2][k]);
+    return result;
+  }
+
+  T height(const RoundAngles<T>& at) const { return height(at, point(at)); }
+  T value(const RoundAngles<T>& at) const { return value(at, point(at)); }
+  std::array<T, 3> position(const RoundAngles<T>& at) const { return position(at, point(at)); }
 
   RoundDerivatives<T> derivatives(const RoundAngles<T>& at) const {
     const auto& [c, s] = at.around;
@@ -138,19 +160,14 @@ struct RoundFormula {
     return f;
   }
 
-  /// In space.
-  std::array<T, 3> position(const RoundAngles<T>& at, const Point& p) const {
-    const auto& [c, s] = at.around;
-    const T x = unit * p.rho * c, y = unit * p.rho * s, z = unit * p.z;
-    std::array<T, 3> result{};
-    for (std::size_t k = 0; k < 3; ++k)
-      result[k] = centre[k] + (x * axes[0][k] + y * axes[1][k] + z * axes[2][k]);
-    return result;
+ private:
+  template <class X>
+  static X repeated(const T& x) {
+    if constexpr (std::is_same_v<X, T>)
+      return x;
+    else
+      return X{} + x;
   }
-
-  T height(const RoundAngles<T>& at) const { return height(at, point(at)); }
-  T value(const RoundAngles<T>& at) const { return value(at, point(at)); }
-  std::array<T, 3> position(const RoundAngles<T>& at) const { return position(at, point(at)); }
 };
 
 }  // namespace exsect

@@ -149,11 +149,8 @@ bool contains(const RoundTube& tube, const RoundBox& box) {
 
 namespace {
 
-/// Above what both coordinates of a place that is moved twice err by.
-constexpr double kMoveError = 0x1p-45;
-
 /// Quick, unless only the radius is more than `wanted`.
-DoubleBall value_at(const RoundChart& chart, const RoundPlace& place, double wanted) {
+DoubleBall value_for(const RoundChart& chart, const RoundPlace& place, double wanted) {
   const DoubleBall f = chart.quick_value(place);
   const bool is_enough = std::fabs(f.approximation()) > 8 * f.radius() || f.upper_magnitude() < wanted / 2;
   return is_enough ? f : chart.value(place);
@@ -165,14 +162,12 @@ NearCurve near_curve(const RoundTube& tube, double s, double guess, double wante
   constexpr int most_steps = 12;
   const std::size_t other = 1 - tube.axis;
   const RoundPlace start = tube.chart->moved(tube.centre, tube.axis, s);
-  const bool is_along = (std::fabs(s) + kMoveError) * kSlack <= tube.reach;
   const double line = tube.slope * s;
   double off = std::fabs(guess - line) < tube.width / 2 ? guess : line, before = 0, value_before = 0;
   NearCurve best{start, off, std::numeric_limits<double>::infinity()};
-  for (int step = 0; step < most_steps && is_along; ++step) {
-    if (!((std::fabs(off - line) + kMoveError) * kSlack < tube.width)) break;
+  for (int step = 0; step < most_steps && is_inside(tube, s, off); ++step) {
     const RoundPlace here = tube.chart->moved(start, other, off);
-    const DoubleBall f = value_at(*tube.chart, here, wanted * tube.least);
+    const DoubleBall f = value_for(*tube.chart, here, wanted * tube.least);
     // The zero is at f / f_d(x) for some x between, and the next place at f / gradient.
     const double error = f.upper_magnitude() / tube.least * kSlack;
     const bool is_worse = !(error < best.error / 2);
@@ -180,8 +175,8 @@ NearCurve near_curve(const RoundTube& tube, double s, double guess, double wante
     if (error <= wanted || is_worse) break;
     const double next = off - f.approximation() / tube.gradient;
     const double left =
-        (error * tube.contraction + f.radius() / std::fabs(tube.gradient)) * kSlack + 2 * kMoveError;
-    if (left <= wanted && (std::fabs(next - line) + kMoveError) * kSlack < tube.width)
+        (error * tube.contraction + f.radius() / std::fabs(tube.gradient)) * kSlack + kMoveError;
+    if (left <= wanted && is_inside(tube, s, next))
       return {tube.chart->moved(start, other, next), next, left};
     const double secant = step > 0 ? (f.approximation() - value_before) / (off - before) : tube.gradient;
     before = off;
@@ -189,18 +184,6 @@ NearCurve near_curve(const RoundTube& tube, double s, double guess, double wante
     off -= f.approximation() / (secant != 0 ? secant : tube.gradient);
   }
   return best;
-}
-
-std::optional<NearCurve> next_to(const RoundTube& tube, const NearCurve& near, double from, double s,
-                                 double off, double wanted) {
-  const double side = off - near.off;
-  const bool is_in_tube = (std::fabs(s) + kMoveError) * kSlack <= tube.reach &&
-                          (std::fabs(off - tube.slope * s) + kMoveError) * kSlack < tube.width;
-  if (!is_in_tube || !(std::fabs(side) <= 1)) return std::nullopt;
-  const RoundPlace place =
-      tube.chart->moved(tube.chart->moved(near.place, tube.axis, s - from), 1 - tube.axis, side);
-  const double error = tube.chart->quick_value(place).upper_magnitude() / tube.least * kSlack;
-  return error <= wanted ? std::optional(NearCurve{place, off, error}) : std::nullopt;
 }
 
 namespace {

@@ -2,6 +2,9 @@
 // 17.21.
 #pragma once
 
+#include <exsect/algebra/rounding_bounds.h>
+
+#include <cmath>
 #include <optional>
 
 #include "filter/round_landmarks.h"
@@ -37,6 +40,15 @@ DoubleBall offset(const RoundTube& tube, const RoundBox& box);
 bool excludes(const RoundTube& tube, const RoundBox& box);
 bool contains(const RoundTube& tube, const RoundBox& box);
 
+/// Above what both coordinates of a place that is moved twice err by.
+inline constexpr double kMoveError = 0x1p-45;
+/// The place over s and off, the difference of the other coordinate from the centre's, is in the tube, also
+/// if both err by kMoveError.
+inline bool is_inside(const RoundTube& tube, double s, double off) {
+  return (std::fabs(s) + kMoveError) * kSlack <= tube.reach &&
+         (std::fabs(off - tube.slope * s) + kMoveError) * kSlack < tube.width;
+}
+
 /// A place over the offset s, and a bound of the distance from the zero over that offset, in the other
 /// coordinate: as soon as it is at most `wanted`, or as small as doubles make it; infinite if there is none.
 /// `guess` is about this coordinate's difference from the centre's, or not used if it is not in the tube.
@@ -46,11 +58,6 @@ struct NearCurve {
   double error;  // >= 0
 };
 NearCurve near_curve(const RoundTube& tube, double s, double guess, double wanted);
-
-/// A place over the offset s, by what is near it over `from`, at about the difference `off` of the other
-/// coordinate: if that is as near to the curve as wanted. Requires |s - from| <= 1.
-std::optional<NearCurve> next_to(const RoundTube& tube, const NearCurve& near, double from, double s,
-                                 double off, double wanted);
 
 /// The arc over the offsets within `reach` of that of a place near the curve.
 struct RoundArc {

@@ -32,11 +32,16 @@ class ArcPolyline {
   /// deviates by at most K h^2 / 8 from the arc over the same offsets, K a bound of the second derivative.
   template <class VertexAt>
   void add_chords(double second_derivative, double a, double b, double tolerance, const VertexAt& vertex_at) {
-    const double length = std::fabs(b - a) * kSlack;
+    const int n = cover_chords(second_derivative, std::fabs(b - a), tolerance);
+    for (int i = 1; i < n; ++i) add_vertex(vertex_at(a + (b - a) * (static_cast<double>(i) / n)));
+  }
+  /// The same without vertices: the number of equal steps.
+  int cover_chords(double second_derivative, double distance, double tolerance) {
+    const double length = distance * kSlack;
     const int n = chord_count(std::ceil(length / step(second_derivative, tolerance)));
     const double each = length / n;
     cover(second_derivative * each * each / 8 * kSlack);
-    for (int i = 1; i < n; ++i) add_vertex(vertex_at(a + (b - a) * (static_cast<double>(i) / n)));
+    return n;
   }
 
   std::size_t size() const { return vertices_.size(); }

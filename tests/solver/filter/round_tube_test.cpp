@@ -49,29 +49,6 @@ TEST_CASE("round tube: holds the curve over its length, and its neighbours not")
   }
 }
 
-TEST_CASE("round tube: places next to others") {
-  const RoundChart chart = crossing_cylinders();
-  const auto tube = round_tube(chart, on_curve(chart, 0.3), 0, 0.05).value();
-  const NearCurve from = near_curve(tube, -0.01, -0.01 * tube.slope, 1e-12);
-  for (const double s : {-0.049, -0.01, 0.0, 0.04}) {
-    const RoundPlace there = on_curve(chart, 0.3 + s);
-    const double off = chart.difference(1, there, tube.centre).approximation();
-    const auto near = next_to(tube, from, -0.01, s, off, 1e-10);
-    REQUIRE(near);
-    CHECK(near->error <= 1e-10);
-    CHECK(near->off == off);
-    CHECK(chart.difference(1, near->place, there).upper_magnitude() <= near->error + 1e-12);
-    CHECK(chart.difference(0, near->place, there).upper_magnitude() < 1e-12);
-    CHECK_FALSE(next_to(tube, from, -0.01, s, off + 1e-6, 1e-10));
-    const auto rough = next_to(tube, from, -0.01, s, off + 1e-6, 1e-5);
-    REQUIRE(rough);
-    CHECK(rough->error >= 0.99e-6);
-  }
-  CHECK_FALSE(next_to(tube, from, -0.01, 0.051, from.off, 1));
-  CHECK_FALSE(next_to(tube, from, -0.01, 0, from.off + tube.width, 1));
-  CHECK_FALSE(next_to(tube, from, -0.01, 0, std::nan(""), 1));
-}
-
 TEST_CASE("round tube: none around turning points along the wrong axis, nor off the curve") {
   const RoundChart chart = crossing_cylinders();
   const RoundPlace place = on_curve(chart, 0.3);
