@@ -92,7 +92,7 @@ std::optional<TriangularPoint> common_zero(const std::array<BivariatePolynomial,
   return std::nullopt;
 }
 
-FieldNumber value_at(const BivariatePolynomial& f, const FieldNumber& r, const FieldNumber& s) {
+FieldNumber field_value(const BivariatePolynomial& f, const FieldNumber& r, const FieldNumber& s) {
   FieldNumber sum = 0;
   for (int i = f.degree_r(); i >= 0; --i) {
     const Polynomial in_s = f.coefficient(i);
@@ -117,7 +117,7 @@ std::optional<std::array<FieldNumber, 2>> in_field(const TriangularPoint& point,
   if (!numbers) return std::nullopt;
   const FieldNumber &r = (*numbers)[0], &s = (*numbers)[1];
   const bool is_zero =
-      std::ranges::all_of(equations, [&](const auto& f) { return value_at(f, r, s).is_zero(); });
+      std::ranges::all_of(equations, [&](const auto& f) { return field_value(f, r, s).is_zero(); });
   if (!is_zero || !lies_in(r, point.r_interval()) || !lies_in(s, point.s().interval())) return std::nullopt;
   return std::array{r, s};
 }
