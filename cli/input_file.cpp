@@ -37,11 +37,6 @@ std::string input_text(const std::string& path, std::size_t max_bytes) {
   return text;
 }
 
-RationalPatchFile input_patches(const std::string& path) {
-  if (path != standard_input) return read_rational_patches(path);
-  return parse_rational_patches(input_text(path, max_patch_file_bytes), input_name(path));
-}
-
 SurfaceFile input_surfaces(const std::string& path) {
   if (path != standard_input) return read_surfaces(path);
   return parse_surfaces(input_text(path, max_patch_file_bytes), input_name(path));

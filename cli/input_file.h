@@ -17,9 +17,8 @@ std::string input_name(const std::string& path);
 /// InputError as read_text_file does.
 std::string input_text(const std::string& path, std::size_t max_bytes);
 
-/// What read_rational_patches, read_surfaces, read_curve and read_candidate give, from the standard input
+/// What read_surfaces, read_curve and read_candidate give, from the standard input
 /// too: a candidate there is JSON.
-RationalPatchFile input_patches(const std::string& path);
 SurfaceFile input_surfaces(const std::string& path);
 CurveFile input_curve(const std::string& path);
 Candidate input_candidate(const std::string& path);

@@ -1,5 +1,7 @@
 #include "point.h"
 
+#include "vector_algebra.h"
+
 namespace exsect {
 
 Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -8,11 +10,9 @@ Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[
 
 Point operator*(const Rational& c, const Point& a) { return {c * a[0], c * a[1], c * a[2]}; }
 
-Rational dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Rational dot(const Point& a, const Point& b) { return dot_over(a, b); }
 
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+Point cross(const Point& a, const Point& b) { return cross_over(a, b); }
 
 Rational determinant(const Point& a, const Point& b, const Point& c) { return dot(a, cross(b, c)); }
 

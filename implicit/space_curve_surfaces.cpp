@@ -4,6 +4,7 @@
 #include <exsect/algebra/nearest_rounding.h>
 #include <exsect/geometry/homogeneous_composition.h>
 #include <exsect/geometry/implicit_curve.h>
+#include <exsect/geometry/vector_algebra.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,8 +46,6 @@ Gradient gradient_along(const SpacePolynomial& f, const HomogeneousCurve& curve)
   }
   return result;
 }
-
-Polynomial dot(const Gradient& a, const Gradient& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// The square of |cos| at t in doubles; 0 where it is not defined.
 double squared_cosine(const Polynomial& ab, const Polynomial& aa, const Polynomial& bb, const Rational& t) {
@@ -197,7 +196,7 @@ GradientAngle largest_cosine(const SurfacePair& surfaces, const BezierCurve& cur
     require_spatial(curve);
     const HomogeneousCurve reduced = homogeneous(curve);
     const Gradient a = gradient_along(surfaces.first, reduced), b = gradient_along(surfaces.second, reduced);
-    const Polynomial ab = dot(a, b), aa = dot(a, a), bb = dot(b, b);
+    const Polynomial ab = dot_over(a, b), aa = dot_over(a, a), bb = dot_over(b, b);
     const bool regular = !not_positive(aa, {0, 1}) && !not_positive(bb, {0, 1});
     if (ab.is_zero()) return {regular ? std::optional(Rational(0)) : std::nullopt, 0};
     const Rational t = best_parameter(ab, aa, bb);

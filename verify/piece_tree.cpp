@@ -1,5 +1,7 @@
 #include "piece_tree.h"
 
+#include <exsect/geometry/vector_algebra.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +14,6 @@ namespace {
 double lower_bound(double x) { return std::isnan(x) ? PieceTree::never : x; }
 double upper_bound(double x) { return std::isnan(x) ? infinite : x; }
 
-double dot(const SpacePoint& a, const SpacePoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 SpacePoint minus(const SpacePoint& a, const SpacePoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 /// At most the distance of the segments [a,b] and [c,d]: the width of the slab between them in one direction,
@@ -23,13 +24,13 @@ double segments_apart(const SpacePoint& a, const SpacePoint& b, const SpacePoint
   SpacePoint q = between(c, d, foot(p, c, d));
   const SpacePoint e = minus(b, a);
   const SpacePoint f = minus(d, c);
-  const double ee = dot(e, e);
-  const double ff = dot(f, f);
-  const double ef = dot(e, f);
+  const double ee = dot_over(e, e);
+  const double ff = dot_over(f, f);
+  const double ef = dot_over(e, f);
   const double determinant = ee * ff - ef * ef;
   if (determinant > 0) {
     const SpacePoint g = minus(a, c);
-    const double t = std::clamp((ef * dot(f, g) - ff * dot(e, g)) / determinant, 0.0, 1.0);
+    const double t = std::clamp((ef * dot_over(f, g) - ff * dot_over(e, g)) / determinant, 0.0, 1.0);
     p = between(a, b, t);
   }
   q = between(c, d, foot(p, c, d));
@@ -43,11 +44,11 @@ double segments_apart(const SpacePoint& a, const SpacePoint& b, const SpacePoint
     if (distance(end, other) < distance(p, q)) p = other, q = end;
   }
   const SpacePoint n = minus(q, p);
-  const double length = std::sqrt(dot(n, n));
+  const double length = std::sqrt(dot_over(n, n));
   if (!(length > 0)) return 0;
-  const double at_c = dot(n, minus(c, a));
-  const double at_d = dot(n, minus(d, a));
-  const double width = (at_c <= at_d ? at_c : at_d) - std::max(dot(n, e), 0.0);
+  const double at_c = dot_over(n, minus(c, a));
+  const double at_d = dot_over(n, minus(d, a));
+  const double width = (at_c <= at_d ? at_c : at_d) - std::max(dot_over(n, e), 0.0);
   return std::max(0.0, width / length);  // 0 for NaN
 }
 

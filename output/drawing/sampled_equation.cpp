@@ -2,6 +2,7 @@
 
 #include <exsect/geometry/beyond_doubles.h>
 #include <exsect/geometry/number.h>
+#include <exsect/geometry/vector_algebra.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,15 +30,9 @@ Vector finite_vector(const Point& p) {
   return {finite(to_double(p[0])), finite(to_double(p[1])), finite(to_double(p[2]))};
 }
 
-double product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 Vector unit(const Vector& a) {
-  const double length = std::sqrt(product(a, a));
+  const double length = std::sqrt(dot_over(a, a));
   return {a[0] / length, a[1] / length, a[2] / length};
-}
-
-Vector across(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// Origin, and three orthogonal unit vectors, the last one along the axis.
@@ -52,7 +47,7 @@ struct Frame {
     return p;
   }
   double coordinate(const Vector& p, std::size_t k) const {
-    return product({p[0] - origin[0], p[1] - origin[1], p[2] - origin[2]}, direction[k]);
+    return dot_over({p[0] - origin[0], p[1] - origin[1], p[2] - origin[2]}, direction[k]);
   }
 };
 
@@ -67,8 +62,8 @@ Frame frame_of(const SurfaceData& data) {
     if (std::fabs(along[k]) < std::fabs(along[least])) least = k;
   Vector other = {0, 0, 0};
   other[least] = 1;
-  const Vector first = unit(across(other, along));
-  return {finite_vector(data.point), {first, across(along, first), along}};
+  const Vector first = unit(cross_over(other, along));
+  return {finite_vector(data.point), {first, cross_over(along, first), along}};
 }
 
 /// The coordinate of the points, and a margin; `least` is the shortest range.

@@ -2,6 +2,7 @@
 
 #include <exsect/algebra/ball.h>
 #include <exsect/algebra/rounding_bounds.h>
+#include <exsect/geometry/vector_algebra.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,13 +27,6 @@ constexpr long kEnclosedBits = 60;
 DoubleBall ball_around_number(const FieldNumber& a) {
   return a.is_rational() ? DoubleBall::enclosing(a.rational())
                          : DoubleBall::enclosing(enclosure(a, kEnclosedBits));
-}
-
-FieldNumber field_dot(const Triple<FieldNumber>& a, const Triple<FieldNumber>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Triple<FieldNumber> field_cross(const Triple<FieldNumber>& a, const Triple<FieldNumber>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 template <class Number>
@@ -138,8 +132,8 @@ bool invert_exactly(const std::array<Triple<FieldNumber>, 4>& all, std::size_t a
   const auto column = [&](std::size_t i) -> const Triple<FieldNumber>& {
     return all[i % 3 < axis ? i % 3 : i % 3 + 1];
   };
-  for (std::size_t i = 0; i < 3; ++i) rows[i] = field_cross(column(i + 1), column(i + 2));
-  const FieldNumber determinant = field_dot(rows[0], column(0));
+  for (std::size_t i = 0; i < 3; ++i) rows[i] = cross_over(column(i + 1), column(i + 2));
+  const FieldNumber determinant = dot_over(rows[0], column(0));
   if (determinant.is_zero()) return false;
   for (Triple<FieldNumber>& row : rows)
     for (FieldNumber& c : row) c /= determinant;
@@ -200,7 +194,7 @@ std::optional<CurveSeries> CurveSeries::about(const ExactPatch<K>& x, const Exac
     for (std::size_t j = 0; j < 4; ++j) series.terms_[j].push_back(m == 1 && j == axis ? 1 : 0);
     const auto g = difference_along(series.x_, series.y_, K::side, series.terms_, m);
     for (std::size_t k = 0; k < 3; ++k)
-      series.terms_[k < axis ? k : k + 1][m] = -field_dot(series.inverse_[k], {g[0][m], g[1][m], g[2][m]});
+      series.terms_[k < axis ? k : k + 1][m] = -dot_over(series.inverse_[k], {g[0][m], g[1][m], g[2][m]});
   }
   series.bound_rest();
   return series;

@@ -1,6 +1,8 @@
 // Exact homogeneous coordinates of the patches of a pair. Internal to solver/.
 #pragma once
 
+#include <exsect/geometry/vector_algebra.h>
+
 #include <array>
 #include <tuple>
 
@@ -51,12 +53,9 @@ struct FirstOrder {
 inline Rational minor(const HomogeneousPoint& a, const HomogeneousPoint& b, std::size_t i, std::size_t j) {
   return a[i] * b[j] - a[j] * b[i];
 }
-/// By two rows at a time.
 inline Rational determinant(const HomogeneousPoint& a, const HomogeneousPoint& b, const HomogeneousPoint& c,
                             const HomogeneousPoint& d) {
-  return minor(a, b, 0, 1) * minor(c, d, 2, 3) - minor(a, b, 0, 2) * minor(c, d, 1, 3) +
-         minor(a, b, 0, 3) * minor(c, d, 1, 2) + minor(a, b, 1, 2) * minor(c, d, 0, 3) -
-         minor(a, b, 1, 3) * minor(c, d, 0, 2) + minor(a, b, 2, 3) * minor(c, d, 0, 1);
+  return determinant_over(a, b, c, d);
 }
 
 inline bool is_same_point(const HomogeneousPoint& a, const HomogeneousPoint& b) {

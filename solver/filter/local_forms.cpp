@@ -1,6 +1,7 @@
 #include "filter/local_forms.h"
 
 #include <exsect/algebra/rounding_bounds.h>
+#include <exsect/geometry/vector_algebra.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,6 @@ template <class K>
 using FieldTaylor = ExactTaylorOf<K, FieldNumber>;
 
 using FieldVector = std::array<FieldNumber, 3>;
-FieldNumber dot(const FieldVector& a, const FieldVector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-FieldVector cross(const FieldVector& a, const FieldVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 FieldVector operator*(const FieldNumber& t, const FieldVector& a) { return {t * a[0], t * a[1], t * a[2]}; }
 
 /// Of a net about its point, in space.
@@ -33,7 +28,7 @@ FieldVector coefficient(const FieldTaylor<K>& c, std::size_t i) {
 template <class K>
 FormTable<K> along(const FieldVector& form, const FieldTaylor<K>& c) {
   FormTable<K> table;
-  for (std::size_t i = 1; i < K::count; ++i) table[i] = dot(form, coefficient<K>(c, i));
+  for (std::size_t i = 1; i < K::count; ++i) table[i] = dot_over(form, coefficient<K>(c, i));
   return table;
 }
 
@@ -83,15 +78,16 @@ std::optional<ExactForms<K>> exact_forms(const ExactPatch<K>& x, const ExactPatc
   cx = about_its_point<K>(std::move(cx));
   cy = about_its_point<K>(std::move(cy));
   const std::array<FieldVector, 2> tangent = {coefficient<K>(cx, kFirst<K>), coefficient<K>(cx, kSecond)};
-  const FieldVector n = cross(tangent[0], tangent[1]);
-  const FieldNumber nn = dot(n, n);
+  const FieldVector n = cross_over(tangent[0], tangent[1]);
+  const FieldNumber nn = dot_over(n, n);
   if (nn.is_zero()) return std::nullopt;
   ExactForms<K> f;
   f.normal_y = along<K>(n, cy);
   if (!f.normal_y[kFirst<K>].is_zero() || !f.normal_y[kSecond].is_zero()) return std::nullopt;
   f.normal_x = along<K>(n, cx);
   const FieldNumber inverse = 1 / nn;
-  const std::array<FieldVector, 2> dual = {inverse * cross(tangent[1], n), inverse * cross(n, tangent[0])};
+  const std::array<FieldVector, 2> dual = {inverse * cross_over(tangent[1], n),
+                                           inverse * cross_over(n, tangent[0])};
   for (std::size_t i = 0; i < 2; ++i) {
     f.x[i] = along<K>(dual[i], cx);
     f.y[i] = along<K>(dual[i], cy);

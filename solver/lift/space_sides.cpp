@@ -2,6 +2,7 @@
 
 #include <exsect/algebra/ball.h>
 #include <exsect/geometry/surface_pull_back.h>
+#include <exsect/geometry/vector_algebra.h>
 
 #include <algorithm>
 #include <utility>
@@ -15,12 +16,6 @@ namespace {
 using Number = ArbBall<256>;
 using Vector = std::array<Number, 3>;
 using Box = std::array<RationalInterval, 3>;
-
-Number scalar(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector crossed(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// Enclosures of polynomials on a box.
 class BoxValues {
@@ -87,7 +82,7 @@ int sign_of_normals(const SurfaceIntersection& result, const SpaceArc& arc, cons
                     const SpacePolynomial& second) {
   for (const int end : {arc.from, arc.to}) {
     BoxValues at(result.nodes[static_cast<std::size_t>(end)].box);
-    const int sign = scalar(at.gradient(first), at.gradient(second)).certain_sign();
+    const int sign = dot_over(at.gradient(first), at.gradient(second)).certain_sign();
     if (sign != 0) return sign;
   }
   return 0;
@@ -97,7 +92,7 @@ int sign_of_normals(const SurfaceIntersection& result, const SpaceArc& arc, cons
 class TangentForm {
  public:
   TangentForm(BoxValues& at, const SpacePolynomial& f, const SpacePolynomial& g)
-      : n_(at.gradient(f)), square_(scalar(n_, n_)), product_(scalar(n_, at.gradient(g))) {
+      : n_(at.gradient(f)), square_(dot_over(n_, n_)), product_(dot_over(n_, at.gradient(g))) {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         hessian_[i][j] =
@@ -113,7 +108,7 @@ class TangentForm {
         e[i] = Number(i == (k + 1) % 3 ? 1.0 : 0.0);
         o[i] = Number(i == (k + 2) % 3 ? 1.0 : 0.0);
       }
-      const Vector a = crossed(n_, e), b = crossed(n_, o);
+      const Vector a = cross_over(n_, e), b = cross_over(n_, o);
       const Number aa = of(a, a), ab = of(a, b), bb = of(b, b);
       return (aa * bb - ab * ab).is_positive() ? aa.certain_sign() : 0;
     }
@@ -122,7 +117,7 @@ class TangentForm {
 
  private:
   Number of(const Vector& a, const Vector& b) const {
-    return scalar(a, {scalar(hessian_[0], b), scalar(hessian_[1], b), scalar(hessian_[2], b)});
+    return dot_over(a, {dot_over(hessian_[0], b), dot_over(hessian_[1], b), dot_over(hessian_[2], b)});
   }
 
   Vector n_;
@@ -196,9 +191,9 @@ std::optional<SideSigns> sides_from(const ArcStart& start, const SpacePolynomial
                                     const SpacePolynomial& second, int multiplicity) {
   BoxValues at(start.box);
   if (multiplicity == 1) {
-    const Vector own = crossed(at.gradient(start.f), at.gradient(start.g));
-    const Vector given = crossed(at.gradient(first), at.gradient(second));
-    const int along = start.sense * scalar(own, given).certain_sign();  // (17.28)
+    const Vector own = cross_over(at.gradient(start.f), at.gradient(start.g));
+    const Vector given = cross_over(at.gradient(first), at.gradient(second));
+    const int along = start.sense * dot_over(own, given).certain_sign();  // (17.28)
     return known(-along, along);
   }
   SpacePolynomial derivative = second;

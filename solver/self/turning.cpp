@@ -4,41 +4,19 @@
 
 #include <algorithm>
 
+#include "curve/polynomial_vector.h"
 #include "shape/injective_rectangle.h"
 
 namespace exsect {
 namespace {
 
 using Form = BivariatePolynomial;
-using FormVector = std::array<Form, 3>;
+using FormVector = PolynomialVector;
 
-/// x as polynomials in r = u and s = v.
-FormVector forms(const BezierPatch& x) {
-  const ControlNet power = x.power_basis();
-  FormVector result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::vector<Polynomial> rows;
-    for (const auto& row : power) rows.emplace_back(std::vector<Rational>{row[0][k], row[1][k], row[2][k]});
-    result[k] = Form(std::move(rows));
-  }
-  return result;
-}
-
-FormVector derivative_r(const FormVector& f) {
-  return {f[0].derivative_r(), f[1].derivative_r(), f[2].derivative_r()};
-}
-FormVector derivative_s(const FormVector& f) {
-  return {f[0].derivative_s(), f[1].derivative_s(), f[2].derivative_s()};
-}
 FormVector times(const Rational& factor, FormVector f) {
   for (Form& c : f) c *= Polynomial(factor);
   return f;
 }
-
-FormVector cross_of_forms(const FormVector& a, const FormVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Form dot(const FormVector& a, const FormVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// The greatest common divisor of the coefficients of the powers of r.
 Polynomial content(const Form& f) {
@@ -95,13 +73,13 @@ bool add_zeros_of_minors(std::vector<RealAlgebraic>& values, const Form& multipl
 }  // namespace
 
 SelfProjection self_projection(const BezierPatch& x) {
-  const FormVector value = forms(x);
+  const FormVector value = coordinates_from(x, {0, 0, 0});
   const FormVector b = derivative_r(value);
   const FormVector a = times(Rational(1, 2), derivative_r(b));
   const FormVector d = times(-1, derivative_s(value));
   const FormVector c = times(Rational(1, 2), derivative_s(d));
-  const FormVector dc = cross_of_forms(d, c);
-  const FormVector ba = cross_of_forms(b, a);
+  const FormVector dc = cross(d, c);
+  const FormVector ba = cross(b, a);
   // The alternating minors of (b a d c).
   SelfProjection result{{dot(a, dc), dot(times(-1, b), dc), dot(ba, c), dot(times(-1, ba), d)}, {}};
   for (const int end : {0, 1})
@@ -130,8 +108,8 @@ std::optional<std::vector<RealAlgebraic>> self_turning_values(const BezierPatch&
 }
 
 std::optional<std::vector<RealAlgebraic>> cuspidal_values(const BezierPatch& x) {
-  const FormVector value = forms(x);
-  FormVector normal = cross_of_forms(derivative_r(value), derivative_s(value));
+  const FormVector value = coordinates_from(x, {0, 0, 0});
+  FormVector normal = cross(derivative_r(value), derivative_s(value));
   std::vector<RealAlgebraic> values;
   for (const std::size_t fixed : {0, 1})
     for (const int side : {0, 1}) {

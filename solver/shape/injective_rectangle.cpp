@@ -1,5 +1,7 @@
 #include "shape/injective_rectangle.h"
 
+#include <exsect/geometry/vector_algebra.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -12,10 +14,6 @@ namespace {
 using Vector = std::array<double, 3>;
 
 constexpr int kMostTests = 120;
-
-Vector approximate_cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 Vector approximate(const Point& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
 
@@ -64,7 +62,7 @@ class Certificate {
   bool holds() const {
     std::vector<Vector> guesses;
     for (const Point& a : all(a_))
-      for (const Point& b : all(b_)) guesses.push_back(approximate_cross(approximate(a), approximate(b)));
+      for (const Point& b : all(b_)) guesses.push_back(cross_over(approximate(a), approximate(b)));
     const std::optional<Point> n = positive_direction(std::move(guesses));
     if (!n) return false;
     std::vector<Point> products;

@@ -1,5 +1,7 @@
 #include "shape/special_cusps.h"
 
+#include <exsect/geometry/vector_algebra.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -9,10 +11,6 @@ namespace {
 using PolynomialVector = std::array<Polynomial, 3>;
 
 Polynomial common_divisor(const PolynomialVector& f) { return gcd(gcd(f[0], f[1]), f[2]); }
-
-PolynomialVector cross(const PolynomialVector& a, const PolynomialVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// The coefficient of u^i as a polynomial in v.
 PolynomialVector coefficient_of_u(const ControlNet& power, std::size_t i) {
@@ -27,7 +25,7 @@ Polynomial cuspidal_on(const BezierPatch& x, const Rational& value) {
   const ControlNet power = x.restricted_to(value, value + 1, 0, 1).power_basis();
   const PolynomialVector along = coefficient_of_u(power, 0);
   const PolynomialVector x_v = {along[0].derivative(), along[1].derivative(), along[2].derivative()};
-  return common_divisor(cross(coefficient_of_u(power, 1), x_v));
+  return common_divisor(cross_over(coefficient_of_u(power, 1), x_v));
 }
 
 std::optional<int> end_of(const BivariatePolynomial& f, const TriangularPoint& at) {
@@ -42,7 +40,7 @@ std::vector<FoldedLine> folded_lines(const BezierPatch& x) {
   const ControlNet power = x.power_basis();
   const PolynomialVector c1 = coefficient_of_u(power, 1);
   const PolynomialVector c2 = coefficient_of_u(power, 2);
-  const Polynomial straight = common_divisor(cross(c1, c2));
+  const Polynomial straight = common_divisor(cross_over(c1, c2));
   std::vector<FoldedLine> result;
   if (straight.is_zero()) return result;
   for (const RealAlgebraic& v : real_roots(straight, 0, 1)) {
@@ -59,7 +57,8 @@ std::vector<FoldedLine> folded_lines(const BezierPatch& x) {
 bool has_folded_line(const BezierPatch& x) {
   const ControlNet power = x.power_basis();
   const PolynomialVector c2 = coefficient_of_u(power, 2);
-  if (common_divisor(cross(coefficient_of_u(power, 1), c2)).is_zero()) return !common_divisor(c2).is_zero();
+  if (common_divisor(cross_over(coefficient_of_u(power, 1), c2)).is_zero())
+    return !common_divisor(c2).is_zero();
   return std::ranges::any_of(folded_lines(x), [](const FoldedLine& line) { return !line.side[0]; });
 }
 

@@ -2,6 +2,7 @@
 
 #include <exsect/algebra/nearest_double.h>
 #include <exsect/algebra/rounding_bounds.h>
+#include <exsect/geometry/vector_algebra.h>
 
 #include <algorithm>
 #include <array>
@@ -110,7 +111,7 @@ class CommonPoleProof {
     const auto ratio = equations_.ratio_on(box);
     if (!ratio || !is_within(box.r, first_) || !is_within(box.s, second_)) return std::nullopt;
     const RayColumns columns = equations_.columns_on(box, *ratio);
-    const bool is_simple = determinant(columns.t, columns.s, columns.c).certain_sign() != 0;
+    const bool is_simple = determinant_over(columns.t, columns.s, columns.c).certain_sign() != 0;
     if (const auto ray = ray_in(box, *ratio)) {
       if (!is_simple && !(ray->is_contact && equations_.isolates_contact(box, *ratio, columns)))
         return std::nullopt;
@@ -153,13 +154,13 @@ class CommonPoleProof {
     const auto t = end_in(box.r), s = end_in(box.s);
     if (!t && !s) return 1;
     if (first_.reach * ratio.upper > second_.reach || !equations_.begins_at(t, s, box)) return 0;
-    const int whole = determinant(columns.t, columns.s, columns.c).certain_sign();
+    const int whole = determinant_over(columns.t, columns.s, columns.c).certain_sign();
     const auto inwards = [&](const std::optional<Rational>& end, const DoubleBall& rate) {
       const int sign = -whole * rate.certain_sign();
       return !end ? 1 : *end == 0 ? sign : -sign;
     };
-    const int of_t = inwards(t, determinant(columns.a, columns.s, columns.c));
-    const int of_s = inwards(s, determinant(columns.t, columns.a, columns.c));
+    const int of_t = inwards(t, determinant_over(columns.a, columns.s, columns.c));
+    const int of_s = inwards(s, determinant_over(columns.t, columns.a, columns.c));
     return std::min(of_t, of_s);
   }
 
@@ -208,13 +209,13 @@ class CommonPoleProof {
   /// By Cramer's rule, c' for b = a c; t and s are constant along rulings.
   bool all_monotone(const RationalInterval& ratio, const RayColumns& columns) const {
     const auto& [t, s, c, a] = columns;
-    const DoubleBall whole = determinant(t, s, c), all_a = DoubleBall::enclosing({0, first_.reach});
-    const DoubleBall b = DoubleBall::enclosing(ratio) * whole - all_a * determinant(t, s, a);
+    const DoubleBall whole = determinant_over(t, s, c), all_a = DoubleBall::enclosing({0, first_.reach});
+    const DoubleBall b = DoubleBall::enclosing(ratio) * whole - all_a * determinant_over(t, s, a);
     const auto is_known = [&](std::size_t j, const DoubleBall& rate) {
       return !is_asked_for(j) || rate.certain_sign() != 0;
     };
-    return is_known(2, b) &&
-           (are_cones() || (is_known(1, determinant(a, s, c)) && is_known(3, determinant(t, a, c))));
+    return is_known(2, b) && (are_cones() || (is_known(1, determinant_over(a, s, c)) &&
+                                              is_known(3, determinant_over(t, a, c))));
   }
 
   PoleArc arc_over(const Rectangle& box, const RationalInterval& ratio, std::vector<Side> on,

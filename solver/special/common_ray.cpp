@@ -1,5 +1,7 @@
 #include "special/common_ray.h"
 
+#include <exsect/geometry/vector_algebra.h>
+
 #include <algorithm>
 #include <array>
 
@@ -57,15 +59,6 @@ bool are_same_points(const Line& x, const Line& y) {
                              [&](std::size_t c) { return (x[c] * y[3] - y[c] * x[3]).is_zero(); });
 }
 
-Polynomial determinant(const Line& a, const Line& b, const Line& c, const Line& d) {
-  const auto minor = [](const Line& p, const Line& q, std::size_t i, std::size_t j) {
-    return p[i] * q[j] - p[j] * q[i];
-  };
-  return minor(a, b, 0, 1) * minor(c, d, 2, 3) - minor(a, b, 0, 2) * minor(c, d, 1, 3) +
-         minor(a, b, 0, 3) * minor(c, d, 1, 2) + minor(a, b, 1, 2) * minor(c, d, 0, 3) -
-         minor(a, b, 1, 3) * minor(c, d, 0, 2) + minor(a, b, 2, 3) * minor(c, d, 0, 1);
-}
-
 }  // namespace
 
 std::optional<CommonRay> common_ray(const RationalPatch& x, const RationalPatch& y, const Rational& t,
@@ -88,7 +81,7 @@ std::optional<CommonRay> common_ray(const RationalPatch& x, const RationalPatch&
   const Line first_t = line_of(x, [&](const BivariatePolynomial& f) { return f.derivative_s().at_s(t); });
   const Line second_s = line_of(y, [&](const BivariatePolynomial& f) { return f.derivative_s().at_s(s); });
   const Line beside = moved(second_s, std::max(n, degree_of(second_s)), ray);
-  ray.is_contact = determinant(first, along, first_t, beside).is_zero();
+  ray.is_contact = determinant_over(first, along, first_t, beside).is_zero();
   return ray;
 }
 

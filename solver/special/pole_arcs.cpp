@@ -4,6 +4,7 @@
 #include <exsect/algebra/nearest_double.h>
 #include <exsect/algebra/real_algebraic.h>
 #include <exsect/algebra/rounding_bounds.h>
+#include <exsect/geometry/vector_algebra.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,7 +106,7 @@ class PoleProof {
       const Ranges ranges = ranges_on(cluster.along);
       const int order = order_of_line(cluster, ranges);
       const Columns columns = columns_of(ranges, order > 0);
-      if (determinant(columns.t, columns.k[0], columns.k[1]).certain_sign() == 0)  // (14.104)
+      if (determinant_over(columns.t, columns.k[0], columns.k[1]).certain_sign() == 0)  // (14.104)
         return std::nullopt;
       if (order == 0 && cluster.before == cluster.behind) continue;
       std::vector<Side> on;
@@ -310,17 +311,17 @@ class PoleProof {
 
   /// The derivative of t along the arc times the determinant (14.104).
   DoubleBall rate_of_t(const Columns& columns) const {
-    return -determinant(columns.a, columns.k[0], columns.k[1]);
+    return -determinant_over(columns.a, columns.k[0], columns.k[1]);
   }
   /// The derivative of k_j along the arc times the determinant (14.104).
   DoubleBall rate(std::size_t j, const Columns& columns) const {
-    return j == 0 ? -determinant(columns.t, columns.a, columns.k[1])
-                  : -determinant(columns.t, columns.k[0], columns.a);
+    return j == 0 ? -determinant_over(columns.t, columns.a, columns.k[1])
+                  : -determinant_over(columns.t, columns.k[0], columns.a);
   }
 
   /// (14.106).
   bool all_monotone(const Cluster& cluster, const Ranges& ranges, const Columns& columns) const {
-    const DoubleBall whole = determinant(columns.t, columns.k[0], columns.k[1]);
+    const DoubleBall whole = determinant_over(columns.t, columns.k[0], columns.k[1]);
     if (is_asked_for(1) && rate_of_t(columns).certain_sign() == 0 && !is_straight(cluster)) return false;
     for (std::size_t j = 0; j < 2; ++j) {
       if (!is_asked_for(2 + j)) continue;
@@ -344,7 +345,7 @@ class PoleProof {
       on.push_back({Parameter::v, end});
       return 1;
     }
-    const DoubleBall whole = determinant(columns.t, columns.k[0], columns.k[1]);
+    const DoubleBall whole = determinant_over(columns.t, columns.k[0], columns.k[1]);
     const int sign = rate_of_t(columns).certain_sign() * whole.certain_sign();
     return at_zero ? sign : -sign;
   }
@@ -367,7 +368,7 @@ class PoleProof {
       if (e_.at[j] != 0 && e_.at[j] != 1) continue;
       int sign = ranges.k[j].certain_sign();
       if (sign == 0 && begins_still(cluster, j)) {
-        const DoubleBall whole = determinant(columns.t, columns.k[0], columns.k[1]);
+        const DoubleBall whole = determinant_over(columns.t, columns.k[0], columns.k[1]);
         sign = rate(j, columns).certain_sign() * whole.certain_sign();
       }
       if (sign == 0 && stays(cluster, j)) {

@@ -1,5 +1,7 @@
 #include "special/pole_blowup.h"
 
+#include <exsect/geometry/vector_algebra.h>
+
 #include <algorithm>
 
 namespace exsect {
@@ -13,7 +15,7 @@ const SideCell& Blowup::cell(int level, long i) {
   if (!is_new) return result;
   const Rectangle on = over(dyadic(level, i));
   for (std::size_t c = 0; c < 3; ++c) result.d[c] = range_on(direction[c], on);
-  result.square = product(result.d, result.d);
+  result.square = dot_over(result.d, result.d);
   result.bend = range_on(height, on) * range_on(weight, on);
   return result;
 }
@@ -28,9 +30,9 @@ bool Blowup::reaches_to(int level, long i) const {
 }
 
 bool are_apart(const SideCell& x, const SideCell& y) {
-  const EnclosedVector across = cross(x.d, y.d);
+  const EnclosedVector across = cross_over(x.d, y.d);
   return std::ranges::any_of(across, [](const DoubleBall& f) { return f.certain_sign() != 0; }) ||
-         product(x.d, y.d).certain_sign() < 0 || (x.bend * y.square - y.bend * x.square).certain_sign() != 0;
+         dot_over(x.d, y.d).certain_sign() < 0 || (x.bend * y.square - y.bend * x.square).certain_sign() != 0;
 }
 
 }  // namespace exsect

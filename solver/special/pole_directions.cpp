@@ -44,16 +44,4 @@ DoubleBall inverse_range(const BivariatePolynomial& f, const Rectangle& on) {
   return DoubleBall::enclosing(RationalInterval{1 / range.upper, 1 / range.lower});
 }
 
-DoubleBall product(const EnclosedVector& a, const EnclosedVector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-EnclosedVector cross(const EnclosedVector& a, const EnclosedVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-DoubleBall determinant(const EnclosedVector& a, const EnclosedVector& b, const EnclosedVector& c) {
-  return product(a, cross(b, c));
-}
-
 }  // namespace exsect

@@ -33,9 +33,4 @@ DoubleBall inverse_range(const BivariatePolynomial& f, const Rectangle& on);
 
 using EnclosedVector = std::array<DoubleBall, 3>;
 
-DoubleBall product(const EnclosedVector& a, const EnclosedVector& b);
-EnclosedVector cross(const EnclosedVector& a, const EnclosedVector& b);
-/// Of the matrix with these columns.
-DoubleBall determinant(const EnclosedVector& a, const EnclosedVector& b, const EnclosedVector& c);
-
 }  // namespace exsect

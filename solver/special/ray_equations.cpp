@@ -2,6 +2,7 @@
 
 #include <exsect/algebra/double_matrix.h>
 #include <exsect/algebra/real_algebraic.h>
+#include <exsect/geometry/vector_algebra.h>
 
 #include <algorithm>
 #include <iterator>
@@ -129,9 +130,9 @@ bool RayEquations::has_solution(const Rectangle& box, const RationalInterval& ra
   const std::array<RationalInterval, 3> sides = {box.r, box.s, ratio};
   for (std::size_t k = 0; k < 3; ++k) {
     const EnclosedVector row = {(*inverse)[k][0], (*inverse)[k][1], (*inverse)[k][2]};
-    DoubleBall moved = DoubleBall(product(row, value).upper_magnitude());
+    DoubleBall moved = DoubleBall(dot_over(row, value).upper_magnitude());
     for (std::size_t j = 0; j < 3; ++j) {
-      const DoubleBall off = product(row, *column[j]) - DoubleBall(k == j ? 1 : 0);
+      const DoubleBall off = dot_over(row, *column[j]) - DoubleBall(k == j ? 1 : 0);
       moved += DoubleBall(off.upper_magnitude()) * half_width(sides[j]);
     }
     if (!(half_width(sides[k]) - moved).is_positive()) return false;
