@@ -218,7 +218,7 @@ void RoundChart::set_doubles() {
   for (std::size_t i = 0; i < 2; ++i) errors_.first[i] = f.first[i].error();
   for (std::size_t i = 0; i < 3; ++i) errors_.second[i] = f.second[i].error();
   const auto x = bounds.position(all);
-  position_error_ = larger_bound(x[0].error(), x[1].error(), x[2].error());
+  for (std::size_t k = 0; k < 3; ++k) position_errors_[k] = x[k].error();
 }
 
 RoundAngles<DoubleBall> RoundChart::angles(const RoundBox& box) const {

@@ -92,7 +92,8 @@ class RoundChart {
   std::array<DoubleBall, 3> quick_position(const RoundPlace& place) const {
     if (!is_quick(place)) return position({place, {}});
     const auto [x, y, z] = doubles_.position(angles(place));
-    return {DoubleBall(x, position_error_), DoubleBall(y, position_error_), DoubleBall(z, position_error_)};
+    const auto& e = position_errors_;
+    return {DoubleBall(x, e[0]), DoubleBall(y, e[1]), DoubleBall(z, e[2])};
   }
   /// Bounds of the lengths of the first derivatives of the position.
   std::array<double, 2> speeds(const RoundBox& box) const;
@@ -105,7 +106,10 @@ class RoundChart {
   /// known.
   const RoundFormula<double>& doubles() const { return doubles_; }
   double value_error(const RoundBox& box) const { return is_quick(box) ? errors_.value : INFINITY; }
-  double position_error(const RoundBox& box) const { return is_quick(box) ? position_error_ : INFINITY; }
+  double position_error(const RoundBox& box) const {
+    const auto& e = position_errors_;
+    return is_quick(box) ? length_bound(e[0], e[1], e[2]) : INFINITY;
+  }
   /// The chart is of the second one of the surfaces given, and f the equation of the first one.
   bool is_of_second() const { return is_of_second_; }
 
@@ -143,7 +147,7 @@ class RoundChart {
   // Of quick values and positions, and of the second coordinate of their places if it is no angle.
   double quick_reach_ = 0;
   RoundDerivatives<double> errors_{};
-  double position_error_ = 0;
+  std::array<double, 3> position_errors_{};
   bool is_of_second_ = false;
   bool is_half_ = false;  // the chart's surface is one nappe, with b >= 0
   bool has_one_nappe_ = false;

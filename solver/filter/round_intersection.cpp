@@ -69,10 +69,8 @@ DoubleVector farthest(const std::vector<const SpaceArc*>& arcs, const Size& size
   return best;
 }
 
-/// Four points of the curve, in balls around vertices, are certainly not in one plane.
-bool leaves_every_plane(const std::vector<const SpaceArc*>& arcs) {
-  double error = 0;
-  for (const SpaceArc* arc : arcs) error = larger_bound(error, arc->error_bound);
+/// Four points of the curve, within the error of vertices, are certainly not in one plane.
+bool leaves_every_plane(const std::vector<const SpaceArc*>& arcs, double error) {
   const DoubleVector start = arcs.front()->polyline.front();
   const DoubleVector a =
       edge_from(start, farthest(arcs, [&](const DoubleVector& v) { return length_of(edge_from(start, v)); }));
@@ -104,7 +102,7 @@ std::optional<bool> has_no_circle(const ImplicitSurface& first, const ImplicitSu
 /// Closed curves through the arcs, each of which goes on with the one that begins where it ends. Empty if one
 /// of them may be a conic.
 std::optional<std::vector<SpaceCurve>> closed_curves(const std::vector<SpaceArc>& arcs,
-                                                     std::optional<bool> has_no_conic) {
+                                                     std::optional<bool> has_no_conic, double vertex_error) {
   std::vector<SpaceCurve> curves;
   std::vector<bool> is_used(arcs.size(), false);
   for (std::size_t i = 0; i < arcs.size(); ++i) {
@@ -116,7 +114,7 @@ std::optional<std::vector<SpaceCurve>> closed_curves(const std::vector<SpaceArc>
       curve.arcs.push_back(static_cast<int>(k));
       members.push_back(&arcs[k]);
     }
-    if (!(has_no_conic ? *has_no_conic : leaves_every_plane(members))) return std::nullopt;
+    if (!(has_no_conic ? *has_no_conic : leaves_every_plane(members, vertex_error))) return std::nullopt;
     curves.push_back(std::move(curve));
   }
   return curves;
@@ -148,6 +146,7 @@ std::optional<SurfaceIntersection> round_intersection(const ImplicitSurface& fir
   // Arcs run along n2 x n1, or n1 x n2: (17.28).
   const SideSigns beside = chart->is_of_second() ? SideSigns{-1, 1} : SideSigns{1, -1};
   std::vector<int> arrivals(landmarks->size(), 0);
+  double vertex_error = 0;
   for (std::size_t i = 0; i < landmarks->size(); ++i) {
     const int id = static_cast<int>(i);
     const std::optional<RoundTrace> trace = round_trace(*chart, *landmarks, i);
@@ -155,6 +154,7 @@ std::optional<SurfaceIntersection> round_intersection(const ImplicitSurface& fir
     if (++arrivals[static_cast<std::size_t>(trace->end)] > 1 || trace->end == id) return std::nullopt;
     ArcPolyline polyline = round_polyline(*chart, *trace, allowed);
     const double bound = polyline.bound();
+    vertex_error = larger_bound(vertex_error, polyline.vertex_error());
     if (!(bound <= allowed)) return std::nullopt;
     result.nodes.push_back(joint_at(*chart, (*landmarks)[i], id));
     result.arcs.push_back({id, 0, id, trace->end, 1, {}, bound, beside});
@@ -162,7 +162,8 @@ std::optional<SurfaceIntersection> round_intersection(const ImplicitSurface& fir
     for (const PolylineVertex& vertex : polyline.take_vertices())
       result.arcs.back().polyline.push_back(vertex.point);
   }
-  std::optional<std::vector<SpaceCurve>> curves = closed_curves(result.arcs, has_no_circle(first, second));
+  std::optional<std::vector<SpaceCurve>> curves =
+      closed_curves(result.arcs, has_no_circle(first, second), vertex_error);
   if (!curves) return std::nullopt;
   result.curves = *std::move(curves);
   for (const SpaceCurve& curve : result.curves)

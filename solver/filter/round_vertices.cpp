@@ -13,10 +13,9 @@ using Two = double __attribute__((vector_size(2 * sizeof(double))));
 
 constexpr double kLongestPart = 1;  // of both coordinates of a part's places from the first one
 
-/// The place is over an offset within kMoveError of that asked for.
-BoundedVertex bounded(const std::array<double, 3>& at, const std::array<double, 3>& radii, double error,
-                      const RoundTube& tube) {
-  return {{{}, at}, (radii[0] + radii[1] + radii[2] + error * tube.speed + kMoveError * tube.rate) * kSlack};
+/// In a place over an offset within kMoveError of that asked for.
+BoundedVertex bounded(const std::array<double, 3>& at, double radius, double error, const RoundTube& tube) {
+  return {{{}, at}, (radius + error * tube.speed + kMoveError * tube.rate) * kSlack};
 }
 
 }  // namespace
@@ -24,7 +23,7 @@ BoundedVertex bounded(const std::array<double, 3>& at, const std::array<double, 
 BoundedVertex round_vertex(const RoundTube& tube, const NearCurve& near) {
   const auto [x, y, z] = tube.chart->quick_position(near.place);
   return bounded({x.approximation(), y.approximation(), z.approximation()},
-                 {x.radius(), y.radius(), z.radius()}, near.error, tube);
+                 length_bound(x.radius(), y.radius(), z.radius()), near.error, tube);
 }
 
 RoundPart::RoundPart(const RoundTube& tube, const RoundNode& a, const RoundNode& b, double wanted)
@@ -78,8 +77,7 @@ BoundedVertex RoundPart::vertex(double s, const Points& points, std::size_t i) c
   const bool is_near = std::fabs(length_) <= kLongestPart && std::fabs(side) <= kLongestPart;
   if (!(error <= wanted_ && is_inside(tube_, s, off) && is_near))
     return round_vertex(tube_, near_curve(tube_, s, off, wanted_));
-  const double e = position_error_;
-  return bounded({points.at[0][i], points.at[1][i], points.at[2][i]}, {e, e, e}, error, tube_);
+  return bounded({points.at[0][i], points.at[1][i], points.at[2][i]}, position_error_, error, tube_);
 }
 
 void RoundPart::add_vertices(int count, ArcPolyline& line) const {

@@ -46,6 +46,8 @@ class ArcPolyline {
 
   std::size_t size() const { return vertices_.size(); }
   std::vector<PolylineVertex> take_vertices() { return std::move(vertices_); }
+  /// Each vertex is within that of a point of the curve.
+  double vertex_error() const { return vertex_error_; }
   /// The polyline's end offsets, joints and vertices stand for true points within the errors of vertices;
   /// twice, because the true end of an arc may be anywhere in its node's box.
   double bound() const { return (chord_error_ + 2 * vertex_error_) * kSlack; }

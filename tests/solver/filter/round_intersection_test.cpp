@@ -150,6 +150,9 @@ TEST_CASE("round intersection: polylines keep the tolerance, and vertices are on
                     {from_double(p[0]), from_double(p[1]), from_double(p[2])}))) < 300 * tolerance);
   }
   CHECK_FALSE(round_intersection(torus, other, relative(1e-17)));
+  // Vertices are on the curve also where chords are far from it: it is in no plane.
+  for (const double tolerance : {0.03, 0.06, 0.1})
+    CHECK(round_intersection(torus, other, relative(tolerance)));
 }
 
 TEST_CASE("round intersection: conics, contact and boxes are left to others") {
