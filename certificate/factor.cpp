@@ -10,6 +10,7 @@
 
 #include "certificate/algebraic.h"
 #include "certificate/claims.h"
+#include "certificate/ruled_factor.h"
 
 namespace exsect::cli {
 namespace {
@@ -200,11 +201,17 @@ std::vector<Parameters> places_of(const Arc& arc) {
 std::optional<Factor> Factors::of_constants(const Arc& arc, const std::array<bool, 4>& constant,
                                             const Node& from, const Node& to) const {
   const Place c = short_place(from), other = short_place(to);
-  for (const std::size_t i : {0, 1})
-    for (const std::size_t j : {2, 3})
-      if (constant[i] && constant[j] && c[i] == other[i] && c[j] == other[j])
-        return touches(arc) ? touching_factor_of_constants(equation_, {i, j}, c, places_of(arc))
-                            : factor_of_constants(equation_, {i, j}, c, places_of(arc));
+  for (const std::size_t i : {0, 1}) {
+    for (const std::size_t j : {2, 3}) {
+      if (!constant[i] || !constant[j]) continue;
+      std::optional<Factor> found;
+      if (c[i] == other[i] && c[j] == other[j])
+        found = touches(arc) ? touching_factor_of_constants(equation_, {i, j}, c, places_of(arc))
+                             : factor_of_constants(equation_, {i, j}, c, places_of(arc));
+      if (!found && !touches(arc)) found = ruled_factor(equation_, {i, j}, from);
+      if (found) return found;
+    }
+  }
   return std::nullopt;
 }
 

@@ -147,6 +147,10 @@ def models():
     half, third = Fraction(1, 2), Fraction(1, 3)
     low = [[turn(i * half, i // 2 + v * third, v * (1 + i * half * third)) for v in range(2)] for i in range(3)]
     yield "irrational corner", ["intersect"], patches(low, [[turn(Fraction(s), half + r, r * half) for s in range(2)] for r in range(2)])
+    # (u, 1/4 + u^2 / 2) and (r^2, r) in the plane, each along a line, in other coordinates.
+    heights = [[(0, "1/4"), ("1/2", "1/4"), (1, "3/4")], [(0, 0), (0, "1/2"), (1, 1)]]
+    walls = [[[turn(Fraction(a) + z / 3, Fraction(b), z) for z in ends] for a, b in row] for row, ends in zip(heights, ((0, Fraction(1)), (-third, Fraction(4, 5))))]
+    yield "parallel lines", ["intersect"], patches(*walls)
     yield "circles around an axis", ["intersect"], {"exsect": "patches/1", "patches": [dict(cone, name="x"), dict(cylinder, name="y")]}
 
 
