@@ -34,6 +34,7 @@ class BoundarySearch {
         find_on_line({p, value});
       }
     for (const LineResult& line : lines_) add_points(line);
+    for (const LineResult& line : lines_) add_lone_ends(line);
     for (const LineResult& line : lines_) add_ends(line);
     for (const CommonPole& pole : result_.poles)
       for (const int i : {0, 1})
@@ -84,10 +85,23 @@ class BoundarySearch {
       if (point.sides().front() == line.side) result_.points.push_back(point);
     };
     std::for_each(line.points.begin(), line.points.end(), add);
-    std::vector<bool> used(line.arcs.ends.size(), false);
-    for (const LineArc& arc : line.arcs.arcs) used[arc.from] = used[arc.to] = true;
+    const std::vector<bool> used = ends_of_arcs(line);
     for (std::size_t i = 0; i < used.size(); ++i)
       if (used[i]) add(line.arcs.ends[i]);
+  }
+
+  static std::vector<bool> ends_of_arcs(const LineResult& line) {
+    std::vector<bool> used(line.arcs.ends.size(), false);
+    for (const LineArc& arc : line.arcs.arcs) used[arc.from] = used[arc.to] = true;
+    return used;
+  }
+
+  /// Points of the curve on the other patch in which no arc ends: a line that turns back has its other end
+  /// there, for instance.
+  void add_lone_ends(const LineResult& line) {
+    const std::vector<bool> used = ends_of_arcs(line);
+    for (std::size_t i = 0; i < used.size(); ++i)
+      if (!used[i] && line.arcs.ends[i].sides().front() == line.side) add_if_new(line.arcs.ends[i]);
   }
 
   /// The ends of a side that is one point, and those in common poles: on the other sides these may not be

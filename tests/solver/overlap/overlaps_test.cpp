@@ -341,15 +341,33 @@ TEST_CASE("overlaps of random planar patches hold the sampled points that both c
   }
 }
 
-TEST_CASE("a fold in a common plane is named") {
+TEST_CASE("a fold in a common plane lies in one overlap") {
+  // (r,s) -> ((1 - 2r)^2, s): each point of the square but its side u = 0 twice, so that all (r,s) are
+  // solutions.
   const BezierPatch square = power({{{1, 0}, {1, 0, 0}}, {{0, 1}, {0, 1, 0}}});
   const BezierPatch folded =
       power({{{0, 0}, {1, 0, 0}}, {{1, 0}, {-4, 0, 0}}, {{2, 0}, {4, 0, 0}}, {{0, 1}, {0, 1, 0}}});
-  const IntersectResult result = intersect(square, folded);
-  CHECK(result.status == Status::incomplete);
-  CHECK(std::any_of(result.incomplete.begin(), result.incomplete.end(),
-                    [](const Incomplete& region) { return region.why.find("fold") != std::string::npos; }));
-  CHECK(!result.graph.overlaps.empty());
+  for (const bool is_exchanged : {false, true}) {
+    const IntersectResult result = is_exchanged ? intersect(folded, square) : intersect(square, folded);
+    REQUIRE(result.status == Status::complete);
+    const IntersectionGraph& graph = result.graph;
+    REQUIRE(graph.overlaps.size() == 1);
+    CHECK(graph.arcs.empty());
+    CHECK_FALSE(graph.overlaps[0].normals);
+    REQUIRE(graph.overlaps[0].chains.size() == 1);
+    const std::size_t u = is_exchanged ? 2 : 0, r = is_exchanged ? 0 : 2;
+    double least = 1, most = 0;
+    for (const Arc& arc : graph.overlaps[0].chains[0])
+      for (const PolylineVertex& vertex : arc.polyline) {
+        const auto& w = vertex.parameters;
+        least = std::min(least, w[r]);
+        most = std::max(most, w[r]);
+        CHECK(std::abs(w[u] - (1 - 2 * w[r]) * (1 - 2 * w[r])) < 1e-6);
+        CHECK(std::abs(w[u + 1] - w[r + 1]) < 1e-6);
+      }
+    CHECK(least == 0);
+    CHECK(most == 1);
+  }
 }
 
 TEST_CASE("patches that are close but not on one surface have no overlap") {
