@@ -139,13 +139,24 @@ BivariatePolynomial gcd_at(const BivariatePolynomial& f, const BivariatePolynomi
   return gcd_of_reduced(a, b, fine);
 }
 
+namespace {
+
+/// f, or reduced_at() where f has a smaller degree in r at s or a great one in s: in reduced coefficients the
+/// integers are far longer.
+BivariatePolynomial short_at(const BivariatePolynomial& f, const RealAlgebraic& s) {
+  const bool is_short = !s.is_rational() && !f.is_zero() && f.degree_s() < 2 * s.polynomial().degree();
+  return is_short && sign_at(f.coefficient(f.degree_r()), s) != 0 ? f : reduced_at(f, s);
+}
+
+}  // namespace
+
 // A linear remainder whose leading coefficient is not 0 is the gcd if the one after it is 0, and else there
 // is none; the resultant of polynomials of these degrees at s is 0 in the first case alone.
 void find_common_roots(CommonRoots& roots, const BivariatePolynomial& f, const BivariatePolynomial& g,
                        const RealAlgebraic& s) {
   constexpr slong precision = 1024;
   roots.number = CommonRoots::Number::unknown;
-  const BivariatePolynomial first = reduced_at(f, s), second = reduced_at(g, s);
+  const BivariatePolynomial first = short_at(f, s), second = short_at(g, s);
   if (first.degree_r() < 1 || second.degree_r() < 1) return;
   FlintBallPolynomial a, b;
   enclose(a.value, first, s, precision);

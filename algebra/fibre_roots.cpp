@@ -1,6 +1,7 @@
 // Roots of a polynomial over Q(s): Descartes' rule in the Bernstein basis, the coefficients enclosed in
 // balls.
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -168,8 +169,10 @@ std::vector<TriangularPoint> roots_at(const BivariatePolynomial& f, const RealAl
   if (reduced.is_zero()) throw std::domain_error("roots_at: the polynomial vanishes identically at s");
   if (reduced.degree_r() == 0) return {};
   const BivariatePolynomial g = squarefree_part_at(reduced, fine);
+  const auto whole =
+      f.degree_r() == reduced.degree_r() ? std::make_shared<const BivariatePolynomial>(f) : nullptr;
   std::vector<TriangularPoint> points;
-  for (const RationalInterval& r : isolate_roots_at(g, fine, a, b)) points.emplace_back(fine, g, r);
+  for (const RationalInterval& r : isolate_roots_at(g, fine, a, b)) points.emplace_back(fine, g, r, whole);
   return points;
 }
 

@@ -69,12 +69,13 @@ int enclosed_sign(const BivariatePolynomial& h, const TriangularPoint& p, slong 
   return arb_contains_zero(value.value) ? 0 : arf_sgn(arb_midref(value.value));
 }
 
-/// Whether h vanishes at p, if h and g have one common root at most and that is told: the root of g in the
-/// interval is the only one there.
-std::optional<bool> vanishes_in_balls(const BivariatePolynomial& h, const TriangularPoint& p) {
+/// Whether h vanishes at p, if h and g, which is that of p or has its roots, have one common root at most and
+/// that is told: the root of g in the interval is the only one there.
+std::optional<bool> vanishes_in_balls(const BivariatePolynomial& h, const BivariatePolynomial& g,
+                                      const TriangularPoint& p) {
   constexpr slong precision = 1024;
   CommonRoots roots;
-  find_common_roots(roots, h, p.g(), p.s().refined_to(power_of_two(-512)));
+  find_common_roots(roots, h, g, p.s().refined_to(power_of_two(-512)));
   if (roots.number == CommonRoots::Number::none) return false;
   if (roots.number == CommonRoots::Number::unknown) return std::nullopt;
   FlintBall interval;
@@ -90,7 +91,8 @@ std::optional<bool> vanishes_in_balls(const BivariatePolynomial& h, const Triang
 /// Whether h vanishes at p: whether gcd(h, g) over Q(s) has the root r. It divides g, which is nonzero at the
 /// ends of the interval of r and has one root inside, a simple one.
 bool vanishes_at(const BivariatePolynomial& h, const TriangularPoint& p) {
-  if (const auto known = vanishes_in_balls(h, p)) return *known;
+  for (const BivariatePolynomial* g : {&p.whole(), &p.g()})
+    if (const auto known = vanishes_in_balls(h, *g, p)) return *known;
   const BivariatePolynomial common = gcd_at(h, p.g(), p.s());
   if (common.degree_r() <= 0) return false;
   return sign_at(common.at_r(p.r_interval().lower), p.s()) !=
@@ -108,6 +110,12 @@ TriangularPoint::TriangularPoint(RealAlgebraic s, BivariatePolynomial g, Rationa
         "TriangularPoint: g vanishes at the end of an open interval, or not at a given r");
   if (r_.lower != r_.upper && sign_at(g_.at_r(r_.upper), s_) != -sign_lower_)
     throw std::invalid_argument("TriangularPoint: the signs of g at the ends are not opposite and nonzero");
+}
+
+TriangularPoint::TriangularPoint(RealAlgebraic s, BivariatePolynomial g, RationalInterval r_interval,
+                                 std::shared_ptr<const BivariatePolynomial> whole)
+    : TriangularPoint(std::move(s), std::move(g), std::move(r_interval)) {
+  whole_ = std::move(whole);
 }
 
 TriangularPoint TriangularPoint::refined_to(const Rational& width) const {

@@ -5,6 +5,7 @@
 #include <exsect/algebra/bivariate_polynomial.h>
 #include <exsect/algebra/real_algebraic.h>
 
+#include <memory>
 #include <vector>
 
 namespace exsect {
@@ -17,9 +18,13 @@ class TriangularPoint {
   /// Throws std::invalid_argument unless g has opposite nonzero signs at the ends, or vanishes where they
   /// agree. The caller promises the rest (roots_at proves it).
   TriangularPoint(RealAlgebraic s, BivariatePolynomial g, RationalInterval r_interval);
+  /// `whole` has the roots of g over s, some of them more than once perhaps, and is shorter.
+  TriangularPoint(RealAlgebraic s, BivariatePolynomial g, RationalInterval r_interval,
+                  std::shared_ptr<const BivariatePolynomial> whole);
 
   const RealAlgebraic& s() const { return s_; }
   const BivariatePolynomial& g() const { return g_; }
+  const BivariatePolynomial& whole() const { return whole_ ? *whole_ : g_; }
   const RationalInterval& r_interval() const { return r_; }
   /// The same point with both intervals of width at most `width`, inside the present ones; an interval is the
   /// number itself if it is met on the way. Throws std::invalid_argument unless width > 0.
@@ -29,7 +34,8 @@ class TriangularPoint {
   RealAlgebraic s_;
   BivariatePolynomial g_;
   RationalInterval r_;
-  int sign_lower_;  // of g at the lower end of r_; 0 if r is known
+  int sign_lower_;                                    // of g at the lower end of r_; 0 if r is known
+  std::shared_ptr<const BivariatePolynomial> whole_;  // null: g
 };
 
 /// f(.,s) reduced over Q(s): the true degree in r, leading coefficient nonzero at s, coefficients reduced
