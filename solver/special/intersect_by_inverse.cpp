@@ -15,9 +15,10 @@
 namespace exsect {
 namespace {
 
-/// Of the squarefree curve, or of each bound of a region, without lines, in u and v together: a bicubic patch
-/// on a quadric has 12, and may take minutes to be drawn.
-constexpr int kMostDegrees = 8;
+/// Of the squarefree curve without lines, in u and v together: a bicubic patch on a quadric has 12.
+constexpr int kMostDegrees = 12;
+/// Of each bound of a region likewise, as all of them are swept together.
+constexpr int kMostDegreesOfBound = 8;
 
 /// a D(b) - b D(a) for the derivative D along f = 0, up to a positive factor.
 BivariatePolynomial slope_along(const BivariatePolynomial& f, const BivariatePolynomial& a,
@@ -291,7 +292,7 @@ std::optional<InverseCurve> inverse_region(InverseCurve known, const PatchInvers
   const Sides sides(inverse, known);
   if (is_curve(known)) return std::nullopt;
   const auto is_short = [](const BivariatePolynomial& bound) {
-    return bound.is_zero() || degrees_to_sweep(bound) <= kMostDegrees;
+    return bound.is_zero() || degrees_to_sweep(bound) <= kMostDegreesOfBound;
   };
   if (!std::ranges::all_of(curve.region.bounds, is_short)) return std::nullopt;
   const std::optional<std::size_t> poles = count_poles(known);
