@@ -928,7 +928,7 @@ class Factor:
 
     def find_walls(self):
         """(a, b, c): g_a and g_b are walls of different parameters, and g_c is there a number times w_k and a rest without it."""
-        for a, b, c in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        for a, b, c in ((1, 2, 0), (2, 0, 1), (0, 1, 2)):
             first, second = self.wall(a), self.wall(b)
             if first and second and first[0] != second[0]:
                 g = on_sides(component(self.map, c), {first[0]: first[1], second[0]: second[1]})

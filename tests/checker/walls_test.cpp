@@ -70,6 +70,27 @@ Box<Rational> around(const Place& w, const Rational& radius) {
 
 }  // namespace
 
+TEST_CASE("walls: of three the first one is the other component, as in examples/check_certificate.py") {
+  // x = (u, v, 0) and y = (1 + r, -r, r^2 s), which begins in the corner (1,0) of x.
+  Factor factor = {{}, {1, 1, 1}, {}};
+  for (const std::size_t j : {0, 1, 2}) {
+    Vector3<Rational> unit = {};
+    unit[j] = 1;
+    factor.map.add(variable(j), unit, 1);
+    if (j == 0) factor.map.add(Power{}, unit, -1);
+    if (j < 2) factor.columns[j].add(Power{}, unit, 1);
+  }
+  factor.columns[2].add(Power{}, {-1, 1, 0}, 1);
+  factor.columns[2].add(Power{0, 0, 1, 1}, {0, 0, -1}, 1);
+  const auto walls = checker::walls_of(factor);
+  REQUIRE(walls.has_value());
+  CHECK(walls->other() == 0);
+  CHECK(checker::is_singular_along(factor, *walls));
+  const Box<Rational> whole =
+      around({Rational(1, 2), Rational(1, 2), Rational(1, 2), Rational(1, 2)}, Rational(1, 2));
+  CHECK(checker::on_one_side(factor, *walls, factor.columns, whole));
+}
+
 TEST_CASE("walls are multiples of a parameter minus 0 or 1") {
   const auto of = [](const std::vector<std::pair<Power, Rational>>& terms) {
     Map<Rational> map;
