@@ -204,10 +204,22 @@ class Invariant {
     }
   }
 
+  /// A node on a side is a boundary point alone: other parameters that turn there are told by the arcs' other
+  /// ends, if these tell it.
+  std::optional<bool> turns_at_end(const Node& node, Parameter p) const {
+    if (turns_at(node, p)) return true;
+    const auto [first, second] = neighbours_[at(node.id)];
+    if (node.on.empty() || first == second) return false;
+    const int before = order(node.id, first, p), behind = order(node.id, second, p);
+    if (before == 0 || behind == 0) return std::nullopt;
+    return before == behind;
+  }
+
   /// A closed curve without singular points, along which a parameter is constant or turns an even number of
   /// times, at least twice.
   void check_closed(const Component& component) {
     std::array<int, 4> turns{};
+    std::array<bool, 4> is_known = {true, true, true, true};
     for (const int id : component.arcs) {
       const Arc& arc = graph_.arcs[at(id)];
       const Node& from = node(arc.from);
@@ -219,15 +231,21 @@ class Invariant {
       if (arc.place != ArcPlace::interior || !arc.free.empty()) return;
       // every node has two arc ends
       for (const Node* end : {&from, &node(arc.to)}) {
-        for (const Parameter p : all_parameters) turns[index(p)] += turns_at(*end, p) ? 1 : 0;
+        for (const Parameter p : all_parameters) {
+          const auto turning = turns_at_end(*end, p);
+          is_known[index(p)] = is_known[index(p)] && turning;
+          turns[index(p)] += turning.value_or(false) ? 1 : 0;
+        }
       }
     }
     const int place = graph_.arcs[at(component.arcs.front())].from;
-    if (std::all_of(turns.begin(), turns.end(), [](int t) { return t == 0; })) {
+    if (is_known == std::array{true, true, true, true} &&
+        std::all_of(turns.begin(), turns.end(), [](int t) { return t == 0; })) {
       violated(place, "a closed curve without turning points");
       return;
     }
     for (const Parameter p : facts_.turning) {
+      if (!is_known[index(p)]) continue;
       const int count = turns[index(p)] / 2;
       if (count % 2 != 0 || (count == 0 && !may_be_constant(component, p))) {
         violated(place, "a closed curve with " + std::to_string(count) + " turning points with respect to " +
