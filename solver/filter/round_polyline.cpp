@@ -23,10 +23,7 @@ BoundedVertex end_vertex(const RoundChart& chart, const RoundBox& landmark) {
 double deviation(const RoundArc& a, const RoundArc& b, double length, double tolerance) {
   const double all = larger_bound(a.acceleration, b.acceleration), normal = larger_bound(a.normal, b.normal);
   const double least_speed = -larger_bound(-a.least_speed, -b.least_speed);
-  const double step = std::min(length, ArcPolyline::step(normal, tolerance)) * kSlack;
-  const double turn = all * step / (2 * least_speed) * kSlack;
-  const double across = (normal + all * turn) * kSlack;
-  return step * (kMostChords / 2) > length && turn < 0.5 && across < all ? across : all;
+  return ArcPolyline::deviation(all, normal, least_speed, length, tolerance);
 }
 
 /// Draws the pieces of a trace.

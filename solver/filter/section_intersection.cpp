@@ -58,11 +58,15 @@ Node node_of(const SectionForms& forms, const SectionLandmark& landmark) {
 class SectionVertices {
  public:
   SectionVertices(const SectionForms& forms, const SectionTube& tube, double tolerance)
-      : forms_(forms), tube_(tube), speeds_(section_speeds(forms.patch, tube)) {
+      : forms_(forms), tube_(tube), speeds_(section_speeds(forms.patch, tube)), tolerance_(tolerance) {
     wanted_ = tolerance / 64 / speeds_.speed;
   }
 
-  double acceleration() const { return speeds_.acceleration; }
+  /// Of the arc on this length from its chords.
+  double deviation(double length) const {
+    return ArcPolyline::deviation(speeds_.acceleration, speeds_.normal, speeds_.least_speed, length,
+                                  tolerance_);
+  }
 
   BoundedVertex operator()(double s) {
     const PlaceNearCurve near = place_near_curve(forms_.section, tube_, s, likely_off(s), wanted_);
@@ -74,8 +78,8 @@ class SectionVertices {
   }
   /// That of a box in the tube.
   BoundedVertex operator()(const SectionBox& box) const {
-    return vertex_at(box.centre,
-                     box.reach[tube_.axis] * speeds_.rate + box.reach[1 - tube_.axis] * speeds_.speed);
+    const double along = (speeds_.rate + tube_.slopes.upper_magnitude() * speeds_.speed) * kSlack;
+    return vertex_at(box.centre, box.reach[tube_.axis] * along + box.reach[1 - tube_.axis] * speeds_.speed);
   }
 
  private:
@@ -103,7 +107,7 @@ class SectionVertices {
   const SectionForms& forms_;
   const SectionTube& tube_;
   SectionSpeeds speeds_;
-  double wanted_;
+  double tolerance_, wanted_;
   std::array<Known, 4> last_{};
   std::size_t count_ = 0;
 };
@@ -116,7 +120,7 @@ ArcPolyline drawn_trace(const SectionForms& forms, const SectionTrace& trace, do
     const auto& [tube, range] = trace.pieces[i];
     SectionVertices vertices(forms, tube, tolerance);
     if (i == 0) polyline.add_vertex(vertices(trace.ends[0]));
-    polyline.add_chords(vertices.acceleration(), range.from(), range.to(), tolerance,
+    polyline.add_chords(vertices.deviation(range.length() * kSlack), range.from(), range.to(), tolerance,
                         [&](double s) { return vertices(s); });
     polyline.add_vertex(i + 1 < trace.pieces.size() ? vertices(range.to()) : vertices(trace.ends[1]));
   }

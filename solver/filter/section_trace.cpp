@@ -80,7 +80,7 @@ class SectionCourse {
     const PlaceNearCurve near = place_near_curve(f_, tube, to, tube.slope * to, kSectionJoint);
     SectionBox box{near.place, {}};
     box.reach[tube.axis] = kSectionJoint;
-    box.reach[1 - tube.axis] = near.error + kSectionJoint * (1 + tube.steepest);
+    box.reach[1 - tube.axis] = near.error + kSectionJoint * (1 + tube.slopes.upper_magnitude());
     return {to, box};
   }
 

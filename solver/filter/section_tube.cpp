@@ -12,6 +12,13 @@ namespace {
 constexpr double kLeastTubeWidth = 0x1p-36;
 constexpr double kPlaceRounding = 0x1p-50;  // of sums of numbers below 2
 
+/// Of a ball without 0; NaN or infinite otherwise.
+DoubleBall reciprocal(const DoubleBall& x) {
+  const double middle = 1 / x.approximation();
+  const double off = (x * DoubleBall(middle) - DoubleBall(1)).upper_magnitude();  // of x middle from 1
+  return DoubleBall(middle).widened(off / x.lower_magnitude() * kSlack);
+}
+
 /// The derivatives of a function along the tube's axis and across it, of orders k and l.
 struct TubeFrame {
   const LocalForm& f;
@@ -100,8 +107,8 @@ std::optional<SectionTube> section_tube(const SquareForm& f, const std::array<do
           range.across.certain_sign(),
           gradient,
           (range.across - DoubleBall(gradient)).upper_magnitude() / std::fabs(gradient) * kSlack,
-          range.curvature.upper_magnitude() / least * kSlack,
-          range.slopes.upper_magnitude()};
+          range.slopes,
+          -range.curvature * reciprocal(range.across)};
     width = 1.5 * range.off / least;  // the centre bends less than the rest
   }
   return std::nullopt;
@@ -172,80 +179,76 @@ PlaceNearCurve place_near_curve(const SquareForm& f, const SectionTube& tube, do
 
 namespace {
 
-/// Bounds of the first and second derivatives of the position by the coordinates on a tube, and of its
-/// distance from that of the centre.
-class PatchBounds {
- public:
-  PatchBounds(const std::array<SquareForm, 4>& patch, const SectionTube& tube)
-      : a_(tube.reach), b_((std::fabs(tube.slope) * tube.reach + tube.width) * kSlack), axis_(tube.axis) {
-    const auto local = [&](std::size_t k) { return patch[k].about(tube.centre[0], tube.centre[1]); };
-    const std::array<LocalForm, 4> x = {local(0), local(1), local(2), local(3)};
-    const DoubleBall weight = over(x[3], 0, 0);
-    least_ = weight.lower_magnitude();
-    for (std::size_t k = 0; k < 3; ++k)
-      middle_[k] = x[k].derivative(0, 0).approximation() / x[3].derivative(0, 0).approximation();
-    for (const auto& [i, j] : kOrders) {
-      const DoubleBall w = over(x[3], i, j);
-      std::array<double, 3> sizes;
-      for (std::size_t k = 0; k < 3; ++k)
-        sizes[k] = (over(x[k], i, j) - DoubleBall(middle_[k]) * w).upper_magnitude();
-      vector_[3 * i + j] = exsect::length_bound(sizes[0], sizes[1], sizes[2]) + kUnderflowLoss;
-      weight_[3 * i + j] = w.upper_magnitude();
-    }
-    distance_ = vector_[0] / least_ * kSlack;
-    first_ = {first(1, 0), first(0, 1)};
-  }
+using SpaceBalls = std::array<DoubleBall, 3>;
 
-  double least_weight() const { return least_; }
-  double first(std::size_t i) const { return first_[i]; }
-  /// By the coordinates i and j (17.3b).
-  double second(std::size_t i, std::size_t j) const {
-    const std::size_t order = (i == 0 ? 3 : 1) + (j == 0 ? 3 : 1);
-    return (vector_[order] + weight_[order] * distance_ + first_[i] * weight_[j == 0 ? 3 : 1] +
-            first_[j] * weight_[i == 0 ? 3 : 1]) /
-           least_ * kSlack;
-  }
-  /// Of the coordinates of positions.
-  double largest() const {
-    return larger_bound(std::fabs(middle_[0]), std::fabs(middle_[1]), std::fabs(middle_[2])) + distance_;
+double largest_length(const SpaceBalls& x) {
+  return exsect::length_bound(x[0].upper_magnitude(), x[1].upper_magnitude(), x[2].upper_magnitude());
+}
+
+SpaceBalls vector_product(const SpaceBalls& a, const SpaceBalls& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The derivatives of the position on the places of a tube, along its axis and across it: from those of X = w
+/// x, as w x_k = X_k - w_k x, and so on.
+struct PatchRange {
+  DoubleBall weight;
+  double largest = 0;  // of the coordinates of positions
+  std::array<SpaceBalls, 2> first;
+  std::array<SpaceBalls, 3> second;  // kk, kl, ll
+
+  PatchRange(const std::array<SquareForm, 4>& patch, const SectionTube& tube) {
+    const double along = tube.reach, across = (std::fabs(tube.slope) * tube.reach + tube.width) * kSlack;
+    const LocalForm w = patch[3].about(tube.centre[0], tube.centre[1]);
+    const TubeFrame of_weight{w, tube.axis, along, across};
+    weight = of_weight.over(0, 0);
+    const std::array<DoubleBall, 5> weights = derivatives(of_weight);
+    const DoubleBall inverse = reciprocal(weight), two(2);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const LocalForm f = patch[k].about(tube.centre[0], tube.centre[1]);
+      const TubeFrame frame{f, tube.axis, along, across};
+      const DoubleBall position = frame.over(0, 0) * inverse;
+      std::array<DoubleBall, 5> y = derivatives(frame);
+      for (std::size_t i = 0; i < y.size(); ++i) y[i] -= weights[i] * position;
+      first[0][k] = y[0] * inverse;
+      first[1][k] = y[1] * inverse;
+      second[0][k] = (y[2] - two * weights[0] * first[0][k]) * inverse;
+      second[1][k] = (y[3] - weights[0] * first[1][k] - weights[1] * first[0][k]) * inverse;
+      second[2][k] = (y[4] - two * weights[1] * first[1][k]) * inverse;
+      largest = larger_bound(largest, position.upper_magnitude());
+    }
   }
 
  private:
-  static constexpr std::array<std::array<std::size_t, 2>, 6> kOrders = {
-      {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
-
-  /// Along the axis, across it.
-  DoubleBall over(const LocalForm& f, std::size_t i, std::size_t j) const {
-    return axis_ == 0 ? f.derivative_over(i, j, a_, b_) : f.derivative_over(j, i, b_, a_);
+  static std::array<DoubleBall, 5> derivatives(const TubeFrame& frame) {
+    return {frame.over(1, 0), frame.over(0, 1), frame.over(2, 0), frame.over(1, 1), frame.over(0, 2)};
   }
-  double first(std::size_t i, std::size_t j) const {
-    return (vector_[3 * i + j] + weight_[3 * i + j] * distance_) / least_ * kSlack;
-  }
-
-  double a_, b_;
-  std::size_t axis_;
-  double least_;
-  std::array<double, 3> middle_;
-  std::array<double, 9> vector_{}, weight_{};  // of the orders (i, j) at 3 i + j
-  double distance_;
-  std::array<double, 2> first_;
 };
 
 }  // namespace
 
 SectionSpeeds section_speeds(const std::array<SquareForm, 4>& patch, const SectionTube& tube) {
-  const PatchBounds x(patch, tube);
-  const double t = tube.steepest;
+  const PatchRange x(patch, tube);
+  const DoubleBall &t = tube.slopes, two(2);
+  SpaceBalls first, second;
+  std::array<double, 3> least;
+  for (std::size_t k = 0; k < 3; ++k) {
+    first[k] = x.first[0][k] + t * x.first[1][k];
+    second[k] =
+        x.second[0][k] + two * t * x.second[1][k] + t * t * x.second[2][k] + tube.bends * x.first[1][k];
+    least[k] = first[k].lower_magnitude();
+  }
   SectionSpeeds result{};
-  result.acceleration =
-      (x.second(0, 0) + 2 * x.second(0, 1) * t + x.second(1, 1) * t * t + x.first(1) * tube.bend) * kSlack;
-  result.speed = x.first(1);
-  result.rate = (x.first(0) + t * x.first(1)) * kSlack;
+  result.acceleration = largest_length(second);
+  result.least_speed = std::hypot(least[0], least[1], least[2]) * kReduced;
+  result.normal = largest_length(vector_product(first, second)) / result.least_speed * kSlack;
+  result.rate = largest_length(first);
+  result.speed = largest_length(x.first[1]);
   const double vector = exsect::length_bound(patch[0].error(), patch[1].error(), patch[2].error());
-  const double largest = x.largest(), weight = x.least_weight() * kReduced - patch[3].error();
+  const double weight = x.weight.lower_magnitude() * kReduced - patch[3].error();
   result.rounding =
       weight > 0
-          ? ((vector + 2 * largest * patch[3].error()) / weight + 4 * largest * kUnitRoundoff) * kSlack +
+          ? ((vector + 2 * x.largest * patch[3].error()) / weight + 4 * x.largest * kUnitRoundoff) * kSlack +
                 kUnderflowLoss
           : std::numeric_limits<double>::infinity();
   return result;

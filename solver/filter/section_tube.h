@@ -25,8 +25,8 @@ struct SectionTube {
   int sign;
   double gradient;     // about that derivative in the centre
   double contraction;  // of its quotient by that from 1
-  double bend;         // a bound of the second derivative of the arc as a graph over s
-  double steepest;     // of its slope
+  DoubleBall slopes;   // of the arc as a graph over s
+  DoubleBall bends;    // its second derivatives
 };
 
 /// About a place near the curve. Empty if there is no proof.
@@ -50,11 +50,13 @@ struct PlaceNearCurve {
 PlaceNearCurve place_near_curve(const SquareForm& f, const SectionTube& tube, double s, double guess,
                                 double wanted);
 
-/// What is drawn on a tube: bounds for the arc in space.
+/// Bounds for the arc on a tube in space, as a function of s (17.36).
 struct SectionSpeeds {
-  double acceleration;  // of the second derivative of the position by s along the arc
-  double speed;         // of that of the position by the other coordinate
-  double rate;          // of that by s along the arc
+  double acceleration;  // of the second derivative of the position
+  double normal;        // of its part across the arc
+  double least_speed;   // of the first derivative, from below
+  double rate;          // of the same from above
+  double speed;         // of the derivative of the position by the other coordinate
   double rounding;      // of positions that section_point() makes of places in the tube
 };
 SectionSpeeds section_speeds(const std::array<SquareForm, 4>& patch, const SectionTube& tube);

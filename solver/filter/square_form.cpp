@@ -13,16 +13,23 @@ double falling_factorial(std::size_t i, std::size_t k) {
   return k == 0 ? 1 : k == 1 ? x : x * (x - 1);
 }
 
-/// The same polynomial about the place (p, q), by repeated Horner steps.
-FormTable shifted_table(const FormTable& c, double p, double q) {
-  FormTable f = c;
-  const std::size_t m = c.m(), n = c.n();
-  for (std::size_t k = 0; k < m; ++k)
-    for (std::size_t i = m; i-- > k;)
-      for (std::size_t j = 0; j <= n; ++j) f(i, j) += p * f(i + 1, j);
-  for (std::size_t i = 0; i <= m; ++i)
-    for (std::size_t k = 0; k < n; ++k)
-      for (std::size_t j = n; j-- > k;) f(i, j) += q * f(i, j + 1);
+/// Each row moved by x along the rows: row i of sum_k c_k (t + x)^k, by repeated Horner steps.
+void shift_rows(FormTable& f, double x) {
+  const std::size_t m = f.m(), width = f.width();
+  for (std::size_t first = 0; first < width; first += FormTable::lanes)
+    for (std::size_t k = 0; k < m; ++k)
+      for (std::size_t i = m; i-- > k;) {
+        double* to = f.row(i) + first;
+        const double* from = f.row(i + 1) + first;
+        for (std::size_t lane = 0; lane < FormTable::lanes; ++lane) to[lane] += x * from[lane];
+      }
+}
+
+/// The same polynomial about the place (p, q), transposed.
+FormTable expanded_about(FormTable f, double p, double q) {
+  shift_rows(f, p);
+  f = f.transposed();
+  shift_rows(f, q);
   return f;
 }
 
@@ -41,31 +48,56 @@ FormTable expansion_errors(const FormTable& c, double error) {
   FormTable off(c.m(), c.n());
   for (std::size_t i = 0; i <= c.m(); ++i)
     for (std::size_t j = 0; j <= c.n(); ++j) off(i, j) = rounding * std::fabs(c(i, j));
-  off = shifted_table(off, SquareForm::reach, SquareForm::reach);
+  off = expanded_about(off, SquareForm::reach, SquareForm::reach);
   const auto in_p = largest_parts(c.m()), in_q = largest_parts(c.n());
   for (std::size_t i = 0; i <= c.m(); ++i)
     for (std::size_t j = 0; j <= c.n(); ++j)
-      off(i, j) = (off(i, j) + error * in_p[i] * in_q[j]) * kSlack + kUnderflowLoss;
+      off(j, i) = (off(j, i) + error * in_p[i] * in_q[j]) * kSlack + kUnderflowLoss;
   return off;
 }
 
 }  // namespace
 
+FormTable FormTable::transposed() const {
+  FormTable result(n_, m_);
+  for (std::size_t i = 0; i <= m_; ++i)
+    for (std::size_t j = 0; j <= n_; ++j) result(j, i) = (*this)(i, j);
+  return result;
+}
+
+LocalForm::LocalForm(const FormTable& c, const FormTable& errors)
+    : c_(c), largest_(c.m(), c.n()), errors_(&errors) {
+  for (std::size_t j = 0; j <= c.m(); ++j)
+    for (std::size_t i = 0; i < c.width(); ++i)
+      largest_.row(j)[i] = std::fabs(c.row(j)[i]) + errors.row(j)[i];
+}
+
 DoubleBall LocalForm::derivative(std::size_t k, std::size_t l) const {
-  if (k > c_.m() || l > c_.n()) return 0;
+  if (k > c_.n() || l > c_.m()) return 0;
   const double factor = falling_factorial(k, k) * falling_factorial(l, l);  // 1, 2 or 4
-  return {factor * c_(k, l), factor * (*errors_)(k, l)};
+  return {factor * c_(l, k), factor * (*errors_)(l, k)};
 }
 
 double LocalForm::terms(std::size_t k, std::size_t l, double a, double b, std::size_t least) const {
+  if (k > c_.n() || l > c_.m()) return 0;
   double sum = 0;
-  for (std::size_t i = c_.m() + 1; i-- > k;) {
-    const std::size_t first = l + (least > i - k ? least - (i - k) : 0);
-    double in_y = 0;
-    for (std::size_t j = c_.n() + 1; j-- > first;)
-      in_y = in_y * b + falling_factorial(j, l) * (std::fabs(c_(i, j)) + (*errors_)(i, j));
-    for (std::size_t j = l; j < first; ++j) in_y *= b;
-    sum = sum * a + falling_factorial(i, k) * in_y;
+  for (std::size_t first = c_.width(); first > 0;) {
+    first -= FormTable::lanes;
+    std::array<double, FormTable::lanes> in_y{};
+    for (std::size_t j = c_.m() + 1; j-- > l;) {
+      const double factor = falling_factorial(j, l);
+      std::array<double, FormTable::lanes> row;
+      for (std::size_t lane = 0; lane < FormTable::lanes; ++lane) row[lane] = largest_.row(j)[first + lane];
+      if (j - l < least)
+        for (std::size_t lane = 0; lane < FormTable::lanes; ++lane)
+          if (first + lane + (j - l) < k + least) row[lane] = 0;
+      for (std::size_t lane = 0; lane < FormTable::lanes; ++lane)
+        in_y[lane] = in_y[lane] * b + factor * row[lane];
+    }
+    for (std::size_t lane = FormTable::lanes; lane-- > 0;) {
+      if (first + lane < k) break;
+      sum = sum * a + falling_factorial(first + lane, k) * in_y[lane];
+    }
   }
   return sum * kSlack + kUnderflowLoss;
 }
@@ -74,14 +106,18 @@ SquareForm::SquareForm(const FormTable& c, double error) : c_(c), errors_(expans
 
 double SquareForm::operator()(double p, double q) const {
   double sum = 0;
-  for (std::size_t i = c_.m() + 1; i-- > 0;) {
-    double in_q = 0;
-    for (std::size_t j = c_.n() + 1; j-- > 0;) in_q = in_q * q + c_(i, j);
-    sum = sum * p + in_q;
+  for (std::size_t first = c_.width(); first > 0;) {
+    first -= FormTable::lanes;
+    std::array<double, FormTable::lanes> in_p{};
+    for (std::size_t i = c_.m() + 1; i-- > 0;) {
+      const double* row = c_.row(i) + first;
+      for (std::size_t lane = 0; lane < FormTable::lanes; ++lane) in_p[lane] = in_p[lane] * p + row[lane];
+    }
+    for (std::size_t lane = FormTable::lanes; lane-- > 0;) sum = sum * q + in_p[lane];
   }
   return sum;
 }
 
-LocalForm SquareForm::about(double p, double q) const { return {shifted_table(c_, p, q), errors_}; }
+LocalForm SquareForm::about(double p, double q) const { return {expanded_about(c_, p, q), errors_}; }
 
 }  // namespace exsect

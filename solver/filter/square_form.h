@@ -9,10 +9,11 @@
 
 namespace exsect {
 
-/// Of a polynomial: m + 1 rows of n + 1 numbers.
+/// Of a polynomial: m + 1 rows of n + 1 numbers, in lanes with zeros behind them.
 class FormTable {
  public:
   static constexpr std::size_t most = 12;  // the greatest degree in each variable
+  static constexpr std::size_t lanes = 4;
 
   FormTable() = default;
   /// Of zeros. Requires m, n <= most.
@@ -20,20 +21,27 @@ class FormTable {
 
   std::size_t m() const { return m_; }
   std::size_t n() const { return n_; }
-  double& operator()(std::size_t i, std::size_t j) { return c_[i * (most + 1) + j]; }
-  double operator()(std::size_t i, std::size_t j) const { return c_[i * (most + 1) + j]; }
-  const double* row(std::size_t i) const { return &c_[i * (most + 1)]; }
+  /// Of a row, in groups of so many lanes.
+  std::size_t width() const { return (n_ / lanes + 1) * lanes; }
+  double& operator()(std::size_t i, std::size_t j) { return c_[i * stride + j]; }
+  double operator()(std::size_t i, std::size_t j) const { return c_[i * stride + j]; }
+  double* row(std::size_t i) { return &c_[i * stride]; }
+  const double* row(std::size_t i) const { return &c_[i * stride]; }
+  FormTable transposed() const;
 
  private:
+  static constexpr std::size_t stride = (most / lanes + 1) * lanes;
+
   std::size_t m_ = 0, n_ = 0;
-  std::array<double, (most + 1) * (most + 1)> c_{};
+  std::array<double, (most + 1) * stride> c_{};
 };
 
 /// A polynomial sum c_ij x^i y^j about a place of the square, in the differences x, y of the coordinates from
 /// it. Refers to the form that it is an expansion of.
 class LocalForm {
  public:
-  LocalForm(FormTable c, const FormTable& errors) : c_(c), errors_(&errors) {}
+  /// The rows belong to y.
+  LocalForm(const FormTable& c, const FormTable& errors);
 
   /// The derivative of order k by x and l by y in the place.
   DoubleBall derivative(std::size_t k, std::size_t l) const;
@@ -48,6 +56,7 @@ class LocalForm {
 
  private:
   FormTable c_;
+  FormTable largest_;  // |c_ij| and its error
   const FormTable* errors_;
 };
 
@@ -70,7 +79,7 @@ class SquareForm {
 
  private:
   FormTable c_;
-  FormTable errors_;  // of the coefficients of expansions
+  FormTable errors_;  // of the coefficients of expansions, whose rows belong to y
 };
 
 }  // namespace exsect

@@ -3,6 +3,7 @@
 
 #include <exsect/algebra/rounding_bounds.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -15,6 +16,16 @@ namespace exsect {
 /// Vertices and chords while they are collected.
 class ArcPolyline {
  public:
+  /// (17.36), docs/method-equations.md: K such that chords over steps h, which add_chords() makes as short as
+  /// K asks for on this length of an arc, are within K h^2 / 8 of it. `all` and `normal` bound the second
+  /// derivative and its part across the arc, `least_speed` the first derivative from below.
+  static double deviation(double all, double normal, double least_speed, double length, double tolerance) {
+    const double across_step = std::min(length, step(normal, tolerance)) * kSlack;
+    const double turn = all * across_step / (2 * least_speed) * kSlack;
+    const double across = (normal + all * turn) * kSlack;
+    return across_step * (kMostChords / 2) > length && turn < 0.5 && across < all ? across : all;
+  }
+
   void add_vertex(const BoundedVertex& v) {
     vertices_.push_back(v.vertex);
     vertex_error_ = larger_bound(vertex_error_, v.error);

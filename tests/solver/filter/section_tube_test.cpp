@@ -34,9 +34,9 @@ TEST_CASE("section tube: holds the circle over its length, and its neighbours no
       const PlaceNearCurve near = place_near_curve(f, *tube, s, tube->slope * s, 1e-11);
       CHECK(near.error <= 1e-11);
       CHECK(std::fabs(near.place[1] - there.centre[1]) <= near.error + 1e-15);
-      const double bend = 0.25 / std::pow(there.centre[1], 3), steep = std::fabs(p + s) / there.centre[1];
-      CHECK(bend <= tube->bend);
-      CHECK(steep <= tube->steepest);
+      const double bend = 0.25 / std::pow(there.centre[1], 3), steep = -(p + s) / there.centre[1];
+      CHECK((tube->bends - DoubleBall(-bend)).certain_sign() == 0);
+      CHECK((tube->slopes - DoubleBall(steep)).certain_sign() == 0);
     }
     CHECK(excludes(*tube, {on_circle(p + 0.05), {1e-12, 1e-12}}));
     CHECK(excludes(*tube, {{p, tube->centre[1] + 1.5 * tube->width}, {1e-12, 1e-12}}));
@@ -123,6 +123,13 @@ TEST_CASE("section tube: speeds bound the differences of positions, with weights
     }
     CHECK(std::sqrt(second) <= speeds.acceleration + 1e-6);
     CHECK(std::sqrt(first) <= speeds.rate + 1e-9);
+    CHECK(std::sqrt(first) >= speeds.least_speed * (1 - 1e-9));
+    const std::array<double, 3> d1 = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const std::array<double, 3> d2 = {a[0] - 2 * b[0] + c[0], a[1] - 2 * b[1] + c[1], a[2] - 2 * b[2] + c[2]};
+    const double across = std::hypot(d1[1] * d2[2] - d1[2] * d2[1], d1[2] * d2[0] - d1[0] * d2[2],
+                                     d1[0] * d2[1] - d1[1] * d2[0]) /
+                          std::hypot(d1[0], d1[1], d1[2]) / (h * h);
+    CHECK(across <= speeds.normal + 1e-4);
     CHECK(speeds.acceleration < 30 * (std::sqrt(second) + 1));  // not a bound of anything
   }
 }
