@@ -235,15 +235,24 @@ class LandmarkSearch {
     for (const Point& place : is_passage ? places_on_bound(source, u) : turning_places(u)) {
       Guess landmark{point_box(place), source.kind, value.free, source.branch, {}, source.bound};
       if (!is_passage) landmark.branch = crossing_branch();
-      const std::optional<SpaceZero> zero = proved(landmark, to_double(value.free.width()) * 0x1p-40);
-      if (!zero) continue;
-      const int bend = orientation_on(system_of(landmark), *zero);
+      const int bend = bend_at(landmark, to_double(value.free.width()));
       if (bend == 0) continue;
       if (!is_passage && bend < 0) landmark.kind = LandmarkKind::highest;
       guesses_.push_back(std::move(landmark));
       return true;
     }
     return false;
+  }
+
+  /// The sign of the gradients' determinant in a turning point or passage; 0 if it is not proved. Where
+  /// surfaces nearly touch it is that of a small number, on a small cube alone.
+  int bend_at(const Guess& guess, double width) const {
+    for (const double part : {0x1p-40, 0x1p-80, 0x1p-160}) {
+      const std::optional<SpaceZero> zero = proved(guess, width * part);
+      if (!zero) return 0;
+      if (const int bend = orientation_on(system_of(guess), *zero); bend != 0) return bend;
+    }
+    return 0;
   }
 
   /// One along which the surfaces cross; a turning point over a simple root is on such a branch.

@@ -57,6 +57,19 @@ struct LocalSystem {
   }
 };
 
+/// Of the gradients, exactly: where surfaces nearly touch, products cancel.
+SpacePolynomial determinant_of(const SpaceSystem& system) {
+  std::array<std::array<SpacePolynomial, 3>, 3> g;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) g[i][k] = system[i].derivative(k);
+  SpacePolynomial sum;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
+    sum += g[2][k] * (g[0][next] * g[1][last] - g[0][last] * g[1][next]);
+  }
+  return sum;
+}
+
 /// A multiple of 2^-12 of the radius next to it.
 Rational on_grid(const Rational& q, const Rational& unit) {
   const Rational scaled = q / unit;
@@ -100,10 +113,11 @@ int orientation_on(const SpaceSystem& system, const SpaceZero& zero) {
   std::array<SpaceBalls, 3> g;
   for (std::size_t i = 0; i < 3; ++i)
     g[i] = LocalPolynomial(system[i], zero.centre).gradient_on({reach, reach, reach});
-  return (g[0][0] * (g[1][1] * g[2][2] - g[1][2] * g[2][1]) +
-          g[0][1] * (g[1][2] * g[2][0] - g[1][0] * g[2][2]) +
-          g[0][2] * (g[1][0] * g[2][1] - g[1][1] * g[2][0]))
-      .certain_sign();
+  const DoubleBall determinant = g[0][0] * (g[1][1] * g[2][2] - g[1][2] * g[2][1]) +
+                                 g[0][1] * (g[1][2] * g[2][0] - g[1][0] * g[2][2]) +
+                                 g[0][2] * (g[1][0] * g[2][1] - g[1][1] * g[2][0]);
+  if (const int sign = determinant.certain_sign(); sign != 0) return sign;
+  return sign_on(determinant_of(system), zero);
 }
 
 }  // namespace exsect

@@ -80,4 +80,17 @@ TEST_CASE("crossing landmarks: stars, and what a frame does not show") {
   CHECK(!cones.obstacle.empty());
 }
 
+TEST_CASE("crossing landmarks: a ball that is wider than its bore by little") {
+  // (x - e)^2 + y^2 + z^2 = (1 + e)^2 touches the cylinder in (-1,0,0) from outside, and crosses it about the
+  // height z = +-sqrt(4e) at x = 1: landmarks lie where gradients are parallel but for a part e.
+  for (const unsigned bits : {10U, 30U, 45U}) {
+    INFO("2^-" << bits);
+    const Rational e = 1 / Rational(pow(Integer(2), bits));
+    const SpacePolynomial ball = x * x + y * y + z * z - Rational(2 * e) * x - number(1 + 2 * e);
+    const CrossingLandmarks known = landmarks(x * x + y * y - number(1), ball);
+    CHECK(known.obstacle.empty());
+    CHECK(known.stars.size() == 1);
+  }
+}
+
 }  // namespace exsect::crossing_landmarks_test
