@@ -78,8 +78,7 @@ class SectionVertices {
   }
   /// That of a box in the tube.
   BoundedVertex operator()(const SectionBox& box) const {
-    const double along = (speeds_.rate + tube_.slopes.upper_magnitude() * speeds_.speed) * kSlack;
-    return vertex_at(box.centre, box.reach[tube_.axis] * along + box.reach[1 - tube_.axis] * speeds_.speed);
+    return vertex_at(box.centre, box.reach[tube_.axis] * along() + box.reach[1 - tube_.axis] * speeds_.speed);
   }
 
  private:
@@ -87,9 +86,17 @@ class SectionVertices {
     double s, off;
   };
 
+  /// Of the point's speed where the parameter across the axis follows the curve.
+  double along() const { return (speeds_.rate + tube_.slopes.upper_magnitude() * speeds_.speed) * kSlack; }
+
+  /// A place beside the square, by less than the error of places, is moved to its side.
   BoundedVertex vertex_at(const std::array<double, 2>& place, double error) const {
-    return {{{parameter_of(place[0]), parameter_of(place[1]), 0, 0}, section_point(forms_, place)},
-            (error + speeds_.rounding) * kSlack};
+    const std::array<double, 2> inside = {std::clamp(place[0], -1.0, 1.0), std::clamp(place[1], -1.0, 1.0)};
+    const std::size_t across = 1 - tube_.axis;
+    const double moved = std::abs(place[tube_.axis] - inside[tube_.axis]) * along() +
+                         std::abs(place[across] - inside[across]) * speeds_.speed;
+    return {{{parameter_of(inside[0]), parameter_of(inside[1]), 0, 0}, section_point(forms_, inside)},
+            (error + moved + speeds_.rounding) * kSlack};
   }
 
   /// By interpolation of the last four (Neville), or as far as they go.

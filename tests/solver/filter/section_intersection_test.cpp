@@ -236,4 +236,31 @@ TEST_CASE("section intersection: rotated, times 25.4 and at 1e8, with u and v ex
   }
 }
 
+TEST_CASE("section intersection: vertices are in the square beside a side, too") {
+  // v = g(u), cubic, crosses the side v = 0 and is never farther than 9e-6 from it.
+  const std::array<int, 4> heights = {9, -8, 6, -2};
+  random_nets::Net net;
+  for (int i = 0; i < 4; ++i) {
+    net.emplace_back();
+    for (const int v : {0, 1})
+      net.back().push_back({Rational(i, 3), v, v - Rational(heights[static_cast<std::size_t>(i)], 1000000)});
+  }
+  for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-6}) {
+    INFO("tolerance " << tolerance);
+    IntersectOptions options = options_of(false, {});
+    options.tolerance = tolerance;
+    const IntersectResult result = intersect(S::plane({0, 0, 0}, {0, 0, 1}), RationalPatch(net), options);
+    REQUIRE(result.status == Status::complete);
+    CHECK(is_in_doubles(result));
+    for (const Arc& arc : result.graph.arcs) {
+      CHECK(arc.error_bound <= tolerance);
+      for (const PolylineVertex& vertex : arc.polyline)
+        for (const double w : {vertex.parameters[0], vertex.parameters[1]}) {
+          CHECK(w >= 0);
+          CHECK(w <= 1);
+        }
+    }
+  }
+}
+
 }  // namespace exsect::section_intersection_test
