@@ -1,6 +1,7 @@
 #include "intersect.h"
 
 #include <exsect/algebra/nearest_rounding.h>
+#include <exsect/geometry/beyond_doubles.h>
 
 #include "answer/finished_result.h"
 #include "answer/placed_result.h"
@@ -29,11 +30,12 @@ IntersectResult intersect_beyond_filter(const Run& run, const BezierPatch& x, co
   return intersect_exactly(x, y, run, pair);
 }
 
-/// What that leaves, by the inverse of a patch (method 17), what is proved near a pole (14.24), or
-/// as pieces of one surface (14.10).
-IntersectResult intersect_biquadratic(const Run& run, const BezierPatch& x, const BezierPatch& y) {
-  IntersectResult result = intersect_in_place(run, x, y);
-  if (result.status == Status::complete || run.out_of_time()) return result;
+IntersectResult intersect_biquadratic(const Run& run, const BezierPatch& x, const BezierPatch& y);
+
+/// What the sweep leaves as it is in `result`, by the inverse of a patch (method 17), what is proved near a
+/// pole (14.24), or as pieces of one surface (14.10).
+IntersectResult intersect_as_others(const Run& run, const BezierPatch& x, const BezierPatch& y,
+                                    const IntersectResult& result) {
   if (auto as_curve = intersect_as_curve(x, y, run)) return *std::move(as_curve);
   const auto solve = [](const RationalPatch& first, const RationalPatch& second, const Run& part) {
     return intersect_biquadratic(part, *first.biquadratic(), *second.biquadratic());
@@ -42,6 +44,17 @@ IntersectResult intersect_biquadratic(const Run& run, const BezierPatch& x, cons
   if (run.exact()) return result;
   IntersectResult pieces = intersect_rational_pieces(x, y, run);
   return pieces.status == Status::complete ? pieces : result;
+}
+
+/// Points beyond doubles cannot be drawn: then what the sweep has found is the answer.
+IntersectResult intersect_biquadratic(const Run& run, const BezierPatch& x, const BezierPatch& y) {
+  IntersectResult result = intersect_in_place(run, x, y);
+  if (result.status == Status::complete || run.out_of_time()) return result;
+  try {
+    return intersect_as_others(run, x, y, result);
+  } catch (const BeyondDoubles&) {
+    return result;
+  }
 }
 
 }  // namespace

@@ -193,10 +193,13 @@ TEST_CASE("an existing file is replaced whole and a link is followed") {
 
 TEST_CASE("what is not decided is incomplete with place and reason, exit status 3") {
   const ScratchDirectory scratch;
-  const std::string file = scratch.path("fold.json");
+  // In the corner u = v = 0, r = 1, s = 0 all derivatives of y are on one line.
+  const std::string file = scratch.path("corner.json");
   write(file, R"({"exsect": "patches/1", "patches": [
-    {"name": "x", "degree": [1,1], "points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]]},
-    {"name": "y", "degree": [2,1], "points": [[[1,0,0],[1,1,0]],[[-1,0,0],[-1,1,0]],[[1,0,0],[1,1,0]]]}]})");
+    {"name": "x", "degree": [2,3], "points": [[[-1,-1,0],[-1,1,1],[1,0,0],[-1,-1,1]],
+      [[-1,1,1],[-1,-1,0],[0,0,1],[0,0,1]], [[-1,-1,1],[0,-1,1],[1,0,0],[-1,-1,0]]]},
+    {"name": "y", "degree": [1,3], "points": [[[-1,1,1],[-1,-1,0],[-1,-1,0],[1,0,0]],
+      [[-1,-1,0],[-1,-1,0],[-1,-1,0],[-1,-1,1]]]}]})");
   const Json json = intersection({file, "--max-seconds", "5"}, 3);
   CHECK_FALSE(json["incomplete"].empty());
   const ProgramRun run =

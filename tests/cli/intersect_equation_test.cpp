@@ -67,7 +67,7 @@ TEST_CASE("intersect: pictures, tables and scenes of one patch") {
   INFO(run.err);
   CHECK(run.status == 0);
   CHECK(run.out.find("saddle with ball: complete, proved: 1 component (1 closed)") != std::string::npos);
-  CHECK(run.out.find("in exact arithmetic") != std::string::npos);
+  CHECK(run.out.find("in doubles with proved error bounds") != std::string::npos);
   const std::string svg = content(scratch.path("a.svg"));
   CHECK(svg.find("ball by its equation") != std::string::npos);
   CHECK(svg.find("other square") == std::string::npos);
