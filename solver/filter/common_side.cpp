@@ -123,13 +123,16 @@ FirstOrder<K> first_order(const ExactPatch<K>& patch, const SideView& view, cons
   return view.side.parameter == 0 ? FirstOrder<K>(patch, across, along) : FirstOrder<K>(patch, along, across);
 }
 
-/// [C C' X^ Y^] has degree 4n-2 along the side: tangential if it is zero at so many points and one more.
+/// [C C' X^ Y^] has degree 4n-2 along the side: tangential if it is zero at so many points and one more of
+/// the common part, as beyond it a point of x may be at no finite parameter of y.
 template <class K>
 requires K::weighted Contact touches_along(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>&,
                                            const SideContactOf<K>& side) {
   const int count = 4 * static_cast<int>(K::degree) - 1;
+  const std::array<Rational, 2> ends =
+      side.path ? common_part<K>(side, *side.path)[0] : std::array<Rational, 2>{0, 1};
   for (int i = 0; i < count; ++i) {
-    const Rational t(2 * i + 1, 2 * count);
+    const Rational t = ends[0] + (ends[1] - ends[0]) * Rational(2 * i + 1, 2 * count);
     const auto a = first_order<K>(x, side.x, t);
     const auto b = first_order<K>(y, side.y, inverse(side.to_x, t));
     const std::size_t across_x = side.x.side.parameter;

@@ -135,4 +135,15 @@ TEST_CASE("coplanar triangles: with rectangles, and one that crosses") {
   CHECK(crossing.graph.arcs.size() == 1);
 }
 
+TEST_CASE("coplanar triangles: a common part of sides up to a Moebius map with a pole beside the part") {
+  const RationalPatch x({{{0, 0, 0}, {-2, 2, 0}}, {{1, 0, 0}, {-1, 2, 0}}}, {{2, 10}, {1, 5}});
+  const RationalPatch y({{{-3, 0, 0}, {-3, 1, 0}}, {{-3, 0, 0}, {1, 0, 0}}});
+  for (const bool is_exchanged : {false, true}) {
+    const IntersectResult result = is_exchanged ? intersect(y, x) : intersect(x, y);
+    REQUIRE(result.status == Status::complete);
+    REQUIRE(result.graph.overlaps.size() == 1);
+    CHECK(std::fabs(enclosed_area(result.graph.overlaps[0]) - 1.0 / 3) < 1e-5);
+  }
+}
+
 }  // namespace exsect::coplanar_triangles_test
